@@ -141,6 +141,8 @@ pub struct Machine<'k> {
     /// From the spindle nose to the table with the quill retracted, least and greatest by the knee; absent if the
     /// record does not say.
     pub nose_to_table: Option<(Micrometres, Micrometres)>,
+    /// From the spindle's axis to the column behind it; absent if the record does not say.
+    pub spindle_to_column: Option<Micrometres>,
     /// Number of the spindle's 7:24 taper.
     pub taper: i64,
     /// Largest drill.
@@ -256,6 +258,7 @@ impl<'k> Machine<'k> {
             tool_change_at: (length(Q::ToolChangeX)?, length(Q::ToolChangeY)?),
             tool_change_z: length(Q::ToolChangeZ)?,
             nose_to_table: length_if_any(Q::NoseToTableMin).zip(length_if_any(Q::NoseToTableMax)),
+            spindle_to_column: length_if_any(Q::SpindleToColumn),
             taper: number(Q::SpindleTaper)? as i64,
             drill_max: length(Q::DrillDiameterMax)?,
             overhang_max: length(Q::ToolOverhangMax)?,

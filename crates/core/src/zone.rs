@@ -2,12 +2,13 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::machine::Machine;
 use crate::motion::Axis;
-use crate::note::Note;
+use crate::note::{Note, Severity};
 use crate::part::Part;
+use crate::shop::Shop;
+use crate::tables::materials::Density;
 use crate::tables::rules::{Approach, ApproachFor};
-use crate::units::Micrometres;
+use crate::units::{Micrometres, round_to};
 
 /// The stroke of a tool between its height above the part and its lowest point; heights of its tip above the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,8 +53,11 @@ pub fn spans(part: &Part) -> impl Iterator<Item = (Axis, Micrometres, Micrometre
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs)] // the figures have the names of those of the sentences
 pub enum OffTable {
-    /// It is heavier than the table bears, kg.
+    /// It is heavier than the table bears, kg, as the file says.
     TooHeavy { mass: f64, limit: f64 },
+    /// A solid plate of its size is heavier than the table bears, kg; of the lightest metal of its group it weighs `least`, of the
+    /// heaviest `most`.
+    PlateTooHeavy { least: f64, most: f64, limit: f64 },
     /// Its holes are further apart than the table travels.
     BeyondTravel { axis: Axis, span: Micrometres, travel: Micrometres },
 }
@@ -63,22 +67,53 @@ impl OffTable {
     pub fn note(&self) -> Note {
         match self {
             Self::TooHeavy { mass, limit } => Note::new("too-heavy").with("mass", mass).with("limit", limit),
+            Self::PlateTooHeavy { least, most, limit } => {
+                let [least, most] = [least, most].map(|mass| round_to(*mass, 0).to_string());
+                let mass = if least == most { least } else { format!("{least}–{most}") };
+                Note::new("plate-too-heavy").with("mass", mass).with("limit", limit)
+            }
             Self::BeyondTravel { axis, span, travel } => {
                 Note::new("beyond-travel").with("axis", axis.letter()).with("span", span).with("travel", travel)
             }
         }
     }
+
+    /// An error, but for a mass that only the heaviest metal of the group would have.
+    pub fn severity(&self) -> Severity {
+        match self {
+            Self::PlateTooHeavy { least, limit, .. } if least <= limit => Severity::Doubtful,
+            _ => Severity::Error,
+        }
+    }
 }
 
-/// The limits of the table that a part exceeds: its mass, and its travel for the holes.
-pub fn off_table(part: &Part, machine: &Machine<'_>) -> Vec<OffTable> {
+/// The limits of the table that a part exceeds: its mass, and its travel for the holes. Where the file gives no mass it is that
+/// of a solid plate, V·ρ, ρ of the table `densities`.
+///
+/// # Errors
+/// The knowledge base is broken.
+pub fn off_table(part: &Part, shop: &Shop<'_>) -> Result<Vec<OffTable>, KnowledgeError> {
+    let machine = &shop.machine;
     let limit = machine.load_max_kg;
-    let heavy = part.mass_kg.filter(|mass| *mass > limit).map(|mass| OffTable::TooHeavy { mass, limit });
+    let heavy = match part.mass_kg {
+        Some(mass) => (mass > limit).then_some(OffTable::TooHeavy { mass, limit }),
+        None => {
+            let group = shop.material.group;
+            // A new group of materials need not have a row.
+            let density = shop.knowledge.find(|row: &Density<'_>| row.material_group == group)?;
+            let [length, width, thickness] =
+                [part.blank.length, part.blank.width, part.blank.thickness].map(|side| side.to_mm() / 1000.0);
+            let of = |density: f64| length * width * thickness * density;
+            let weighs = density.map(|density| (of(density.least), of(density.most)));
+            let weighs = weighs.filter(|(_, most)| *most > limit);
+            weighs.map(|(least, most)| OffTable::PlateTooHeavy { least, most, limit })
+        }
+    };
     let beyond = spans(part).filter_map(|(axis, low, high)| {
         let (span, travel) = (high - low, machine.travel(axis));
         (span > travel).then_some(OffTable::BeyondTravel { axis, span, travel })
     });
-    heavy.into_iter().chain(beyond).collect()
+    Ok(heavy.into_iter().chain(beyond).collect())
 }
 
 /// The row of the rule `approach` for a part: the distance before the metal where the feed begins (`approach`), and

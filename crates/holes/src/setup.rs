@@ -1,13 +1,18 @@
 //! Clamping: the force that holds the part against torques and side forces, and the screw that gives this force.
 //!
-//! - `hold`: whether the places of the clamps hold it against turning and tipping.
+//! - `hold`: whether the places of the clamps hold it against turning and tipping;
+//! - `vice`: a vice, where clamps find no place;
+//! - `stand`: where the part stands and its zeros, of the job.
 
 mod hold;
+mod stand;
+mod vice;
 
 use crate::error::KnowledgeError;
+use crate::machine::Machine;
 use crate::note::{Because, Figure, Finding, Note, Severity};
-use crate::part::{Part, Point};
-use crate::plan::{Clamping, HolePlan, Operation, Transition};
+use crate::part::{Fixture, Part, Point};
+use crate::plan::{Clamping, HolePlan, Operation, Transition, Vice};
 use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
 use crate::tables::materials::{ClampScrew, Clamping as Constant, ClampingConstant};
@@ -41,7 +46,7 @@ pub fn clamping(
         return Ok((Some(clamping), faults));
     }
     let mut best = None;
-    for clamps in proposals(part, inset) {
+    for clamps in proposals(part, inset, &shop.machine) {
         let Some((clamping, faults)) = clamped(part, holes, clamps, true, shop)? else { break };
         let Some(Finding { note: why, .. }) = faults.into_iter().next() else {
             return Ok((Some(clamping), Vec::new()));
@@ -55,6 +60,35 @@ pub fn clamping(
     Ok((None, finding.into_iter().collect()))
 }
 
+/// A vice for a part that no clamps hold: where the file says nothing of its fixture and `findings` of [`clamping`] say that
+/// clamps find no place. The finding then goes; where no vice takes the part either, another one says why.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub fn vice_instead(
+    part: &Part,
+    holes: &[HolePlan],
+    findings: &mut Vec<Finding>,
+    shop: &Shop<'_>,
+) -> Result<Option<Vice>, KnowledgeError> {
+    let no_place = |finding: &Finding| finding.note.code() == "no-place-for-clamps";
+    if part.fixture != Fixture::default() || !findings.iter().any(no_place) {
+        return Ok(None);
+    }
+    match vice::vice(part, holes, shop)? {
+        Ok(vice) => {
+            findings.retain(|finding| !no_place(finding));
+            Ok(Some(vice))
+        }
+        Err(why) => {
+            findings.push(Finding::of_part(Severity::Doubtful, Note::new("no-vice").with("why", why)));
+            Ok(None)
+        }
+    }
+}
+
+pub use stand::stands;
+
 /// The force that a transition needs, by the formula that asks for more.
 struct Need<'p> {
     force: f64,
@@ -64,6 +98,35 @@ struct Need<'p> {
     hole: &'p str,
     distance: Micrometres,
     why: Because,
+}
+
+/// A constant of the table `clamping`, and its row as a reason.
+fn constant(wanted: ClampingConstant, shop: &Shop<'_>) -> Result<(f64, Because), KnowledgeError> {
+    let row = shop.knowledge.need(wanted.name(), |row: &Constant<'_>| row.name.is(wanted))?;
+    Ok((row.maximum, Because::row(row.row, Note::new(wanted.name()).with("value", row.maximum))))
+}
+
+/// What a transition does to the part, wherever it is held.
+struct Load<'p> {
+    torque: NewtonMetres,
+    /// The side force, where it pushes.
+    side: Option<Newtons>,
+    hole: &'p str,
+}
+
+/// The loads of all transitions on this machine that have a torque.
+fn loads<'p>(holes: &'p [HolePlan], shop: &Shop<'_>) -> Result<Vec<Load<'p>>, KnowledgeError> {
+    let mut loads = Vec::new();
+    for plan in holes {
+        for transition in plan.transitions.iter().filter(|transition| !transition.elsewhere) {
+            let Some(torque) = transition.conditions.torque_n_m.filter(|torque| torque.0 > 0.0) else { continue };
+            let question = ClampingLoadFor { operation: transition.operation };
+            let load = shop.knowledge.ask(&question)?.need(transition.operation.name())?;
+            let side = (load.load == PartLoad::Pushes).then(|| side_force(transition, torque)).flatten();
+            loads.push(Load { torque, side, hole: &plan.name });
+        }
+    }
+    Ok(loads)
 }
 
 /// P = 2·M/D: D is the diameter of a mill, or of the hole that a bar's edge leaves.
@@ -83,12 +146,9 @@ fn clamped(
     proposed: bool,
     shop: &Shop<'_>,
 ) -> Result<Option<(Clamping, Vec<Finding>)>, KnowledgeError> {
-    let constant = |wanted: ClampingConstant| -> Result<(f64, Because), KnowledgeError> {
-        let row = shop.knowledge.need(wanted.name(), |row: &Constant<'_>| row.name.is(wanted))?;
-        Ok((row.maximum, Because::row(row.row, Note::new(wanted.name()).with("value", row.maximum))))
-    };
-    let ((k, safety), (f, friction)) = (constant(ClampingConstant::Safety)?, constant(ClampingConstant::Friction)?);
-    let (f2, of_support) = constant(ClampingConstant::SupportFriction)?;
+    let ((k, safety), (f, friction)) =
+        (constant(ClampingConstant::Safety, shop)?, constant(ClampingConstant::Friction, shop)?);
+    let (f2, of_support) = constant(ClampingConstant::SupportFriction, shop)?;
     let inset = shop.convention(HoleDefault::ClampInset)?;
 
     let mut worst: Option<Need<'_>> = None;
@@ -128,7 +188,7 @@ fn clamped(
         }
     }
     let Some(Need { force, torque, side, hole, distance, why }) = worst else { return Ok(None) };
-    let (thinnest, no_thinner) = constant(ClampingConstant::LeastScrew)?;
+    let (thinnest, no_thinner) = constant(ClampingConstant::LeastScrew, shop)?;
     let each = Newtons(force / clamps.len().max(1) as f64);
     let screws: Vec<ClampScrew<'_>> = shop.knowledge.rows()?;
     let thick = |screw: &&ClampScrew<'_>| screw.nominal_diameter.to_mm() >= thinnest;
@@ -195,10 +255,17 @@ fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(
 /// Symmetric pairs on two opposite sides, and sets of four from two pairs: those with the most room to the holes
 /// first, corners last; among equals the middles of the sides first. Where holes block all of them, the best pair
 /// alone.
-fn proposals(part: &Part, inset: Micrometres) -> Vec<Vec<Point>> {
+///
+/// Where the table ends before the part does, clamps stand over the table: the middle of the part lies over its middle.
+fn proposals(part: &Part, inset: Micrometres, machine: &Machine<'_>) -> Vec<Vec<Point>> {
     let (blank, middle) = (&part.blank, part.middle());
-    let across = (blank.width - inset - inset).half();
-    let along = (blank.length - inset - inset).half();
+    // A spindle that does not stand over its table says nothing of its height.
+    let upright = machine.nose_to_table.is_some();
+    let within = |size: Micrometres, table: Option<Micrometres>| {
+        let bearing = table.filter(|_| upright).map_or(size, |table| table.min(size));
+        (bearing - inset - inset).half()
+    };
+    let (across, along) = (within(blank.width, machine.table_width), within(blank.length, machine.table_length));
     let pair = |x: Micrometres, y: Micrometres| {
         vec![Point { x: middle.x - x, y: middle.y - y }, Point { x: middle.x + x, y: middle.y + y }]
     };

@@ -5,7 +5,8 @@
 //! Heights are Z in the drawing of the part, in the current set-up.
 //!
 //! - `make` turns a plan into the tree; `cycle` is the cycle of one transition, by the rule `machining-cycle`;
-//! - `part_position` is the position of the part on the machine; `clearance` checks what the tools pass over;
+//! - `part_position` is the position of the part on the machine; `on_table` checks that it lies on the table within reach;
+//!   `clearance` checks what the tools pass over;
 //! - `envelope` is how thick the tools are over their cutters;
 //! - `time` is the duration of the work: cutting, rapids and manual work;
 //! - `unfinished` is what the job leaves undone of the part.
@@ -16,6 +17,7 @@ mod clearance;
 mod cycle;
 mod envelope;
 mod make;
+mod on_table;
 mod part_position;
 mod time;
 mod unfinished;

@@ -13,6 +13,7 @@ use crate::units::Micrometres;
 use super::clearance::{change_over_part, go_over, ways_over_clamps};
 use super::cycle::{Feeding, cycle};
 use super::envelope::envelopes;
+use super::on_table;
 use super::part_position::{PartPosition, across, reach_of_quill, stand};
 use super::{Job, Pause, SetUp, Stop, ToolWork, Unfinished};
 
@@ -61,6 +62,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
             ways_over_clamps(&setup, plan, machine.tool_change_at, shop, &mut findings)?;
         }
         reach_of_quill(&setup, plan, shop, &mut findings);
+        on_table::faults(&setup, plan, machine, &mut findings);
         setups.push(setup);
     }
     let (x, y) = machine.tool_change_at;

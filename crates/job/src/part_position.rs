@@ -11,6 +11,7 @@ use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 use crate::zone::Stroke;
 
+use super::on_table::swing;
 use super::{SetUp, ToolWork};
 use crate::shop::convention;
 
@@ -47,7 +48,10 @@ pub(super) fn stand(
     let reference = plan.tools.iter().map(|tool| tool.length_mm - tool.correction_mm).max().unwrap_or_default();
     let longest = plan.tools.iter().map(|tool| tool.correction_mm).max().unwrap_or_default();
     let heights = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.out)).max().unwrap_or_default();
-    let supports = supports(part, works, shop, findings)?;
+    let supports = match &plan.setup.vice {
+        Some(vice) => vice.height(),
+        None => supports(part, works, shop, findings)?,
+    };
     // From the table to the zero of the drawing.
     let zero_height = supports + part.blank.thickness - part.datum.top;
     let needed =
@@ -64,11 +68,15 @@ pub(super) fn stand(
 
 /// X and Y of the zero.
 pub(super) fn across(part: &Part, works: &[ToolWork], machine: &Machine<'_>) -> Point {
-    let points = || works.iter().flat_map(|work| &work.stops).map(|stop| stop.at);
+    let reaches = works.iter().flat_map(|work| work.stops.iter().map(|stop| (stop.at, swing(work, stop.cycle))));
+    let ends: Vec<[Point; 2]> = reaches
+        .map(|(at, swing)| [Point { x: at.x - swing, y: at.y - swing }, Point { x: at.x + swing, y: at.y + swing }])
+        .collect();
+    let points = || ends.iter().flatten();
     let middle = part.middle();
     Point {
-        x: along(-middle.x, points().map(|at: Point| at.x), machine.travel_x),
-        y: along(-middle.y, points().map(|at: Point| at.y), machine.travel_y),
+        x: along(-middle.x, points().map(|at| at.x), machine.travel_x),
+        y: along(-middle.y, points().map(|at| at.y), machine.travel_y),
     }
 }
 

@@ -98,7 +98,7 @@ fn part(page: &mut Document, number: u8, own: &Sources<'_>, title: &TitleBlock, 
         8 => page.push(sheet::tools(plan, lang)),
         9 => sheet::conditions(page, plan, lang),
         10 => {
-            sheet::clamping(page, plan, own.knowledge, lang);
+            sheet::set_up(page, plan, lang);
             by_author(page, title.fixture.as_deref(), "lab-write-fixture", lang);
         }
         11 => {

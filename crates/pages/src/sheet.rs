@@ -1,13 +1,11 @@
 //! The plan as a page: route, tools, conditions, clamping, corrections, time, findings.
 
 use crate::document::{Document, Field, FindingBlock, Inlines, Severity as Shown};
-use crate::job::{self, SetUp};
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::material::Material;
 use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::plan::{Clamping, Plan};
-use crate::shop::Shop;
 use crate::units::{Micrometres, round_to};
 
 use super::doubts::is_of_row;
@@ -16,9 +14,11 @@ use super::{Doubts, Lang};
 
 mod conditions;
 pub(crate) mod route;
+mod set_up;
 mod tools;
 
 pub(super) use conditions::section as conditions;
+pub(crate) use set_up::{in_vice, section as set_up};
 pub(crate) use tools::named;
 pub(super) use tools::{corrections, tools};
 
@@ -43,7 +43,7 @@ pub fn page(plan: &Plan, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> D
         page.heading(2, say!(lang, "plan-conditions"));
         conditions(&mut page, plan, lang);
         page.heading(2, say!(lang, "plan-clamping"));
-        clamping(&mut page, plan, knowledge, lang);
+        set_up(&mut page, plan, lang);
     }
     if !plan.tools.is_empty() {
         page.heading(2, say!(lang, "plan-corrections"));
@@ -56,17 +56,6 @@ pub fn page(plan: &Plan, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> D
         findings(&mut page, plan, doubts, lang);
     }
     page
-}
-
-/// Where the clamps press, and what the part lies on.
-pub(super) fn clamping(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
-    match &plan.clamping {
-        Some(clamping) => clamps(page, clamping, lang),
-        None => page.paragraph(say!(lang, "plan-no-clamping")),
-    }
-    // What the part lies on follows from how far tools come out below it, which the job knows.
-    let job = Shop::new(&plan.part, plan.cutting, knowledge).and_then(|shop| job::make(plan, &shop));
-    job.iter().flat_map(|job| &job.setups).for_each(|setup| page.paragraph(supports(setup, plan, lang)));
 }
 
 /// A number with the separator of the language, without trailing zeros.
@@ -143,16 +132,6 @@ fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
     ]));
 }
 
-/// What the part of a set-up lies on, and who says so: the file, or tools that come out below the part.
-fn supports(setup: &SetUp, plan: &Plan, lang: Lang) -> String {
-    let key = match plan.part.fixture.height {
-        Some(_) => "plan-supports-given",
-        None if setup.supports > Micrometres::ZERO => "plan-supports-assumed",
-        None => "plan-supports-none",
-    };
-    lang.say(&Note::new(key).with("setup", setup.number).with("height", setup.supports))
-}
-
 /// Where the clamps press, with which force and screw.
 pub(super) fn clamps_of(clamping: &Clamping, lang: Lang) -> String {
     let points = clamping.clamps.iter().map(|point| say!(lang, "plan-point", x = point.x, y = point.y));
@@ -161,22 +140,6 @@ pub(super) fn clamps_of(clamping: &Clamping, lang: Lang) -> String {
     let screw = format!("{}{}", clamping.screw, mark(&clamping.because));
     let sentence = Note::new(key).with("points", points).with("force", rounded(clamping.force_per_clamp_n.0, 0));
     lang.say(&sentence.with("screw", screw).with("distance", clamping.safe_distance_mm))
-}
-
-fn clamps(page: &mut Document, clamping: &Clamping, lang: Lang) {
-    let note = match clamping.side_force_n {
-        Some(side) => Note::new("plan-largest-side-force").with("side", rounded(side.0, 0)),
-        None => Note::new("plan-largest-force").with("distance", rounded(clamping.distance_mm.to_mm(), 1)),
-    };
-    let note = note
-        .with("hole", Figure::called(&clamping.hole))
-        .with("torque", rounded(clamping.torque_n_m.0, 2))
-        .with("force", rounded(clamping.force_n.0, 0));
-    page.paragraph(lang.say(&note));
-    page.paragraph(clamps_of(clamping, lang));
-    if clamping.screw_bears_n.0 < clamping.force_per_clamp_n.0 {
-        page.paragraph(weak_screw(clamping, lang));
-    }
 }
 
 /// That the screw does not bear its share.

@@ -21,6 +21,7 @@ vocabulary! {
         TableWidth = "table-width",
         NoseToTableMin = "nose-to-table-min",
         NoseToTableMax = "nose-to-table-max",
+        SpindleToColumn = "spindle-to-column",
         ThrustZMax = "thrust-z-max",
         LoadMassMax = "load-mass-max",
         MagazinePlaces = "magazine-places",

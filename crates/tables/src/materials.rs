@@ -13,6 +13,10 @@ vocabulary! {
         Clamps = "clamps",
         OverhangAddition = "overhang-addition",
         LeastScrew = "least-screw",
+        ViceGrip = "vice-grip",
+        ViceGripShare = "vice-grip-share",
+        ViceBelowFace = "vice-below-face",
+        ViceRoomBelow = "vice-room-below",
     }
 }
 
@@ -39,6 +43,24 @@ rows! {
         force_80: Newtons,
         safe_distance: Micrometres,
     } shown { force_90, force_100 }
+
+    /// Machine vices, those that are tried first first.
+    pub struct MachineVice of One("vices") {
+        designation: &'t str,
+        jaw_width: Micrometres,
+        opening: Micrometres,
+        jaw_height: Micrometres,
+        bed_height: Micrometres,
+        force: Newtons,
+    }
+
+    /// Parallels under a part in a vice.
+    pub struct Parallels of One("parallels") {
+        height: Micrometres,
+        thinnest: Micrometres,
+        thickest: Micrometres,
+        length: Micrometres,
+    }
 
     /// Other designations of materials.
     pub struct MaterialAlias of One("material-aliases") {
@@ -70,6 +92,13 @@ rows! {
     pub struct HardnessStrength of One("hardness-strength") {
         material_group: &'t str,
         ratio: f64,
+        least: f64,
+        most: f64,
+    }
+
+    /// Density of the metals of a group, kg/m³: the lightest and the heaviest of them.
+    pub struct Density of One("densities") {
+        material_group: &'t str,
         least: f64,
         most: f64,
     }

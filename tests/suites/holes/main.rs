@@ -30,4 +30,5 @@ mod red_pencil;
 mod route_laws;
 mod schools;
 mod scrap;
+mod set_up;
 mod torque;

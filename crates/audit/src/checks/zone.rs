@@ -63,13 +63,15 @@ fn limit(row: RowRef<'_>) -> Because {
 /// The findings of planning for the same part: too heavy for the table, holes wider apart than its travel.
 fn travels(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let (part, machine) = (&context.stated.part, &context.shop.machine);
-    for fault in zone::off_table(part, machine) {
+    for fault in zone::off_table(part, &context.shop)? {
         let (field, row) = match fault {
-            OffTable::TooHeavy { .. } => ("part.mass", machine.row(MachineQuantity::LoadMassMax)?),
+            OffTable::TooHeavy { .. } | OffTable::PlateTooHeavy { .. } => {
+                ("part.mass", machine.row(MachineQuantity::LoadMassMax)?)
+            }
             OffTable::BeyondTravel { axis: Axis::X, .. } => ("part.holes", machine.row(MachineQuantity::TravelX)?),
             OffTable::BeyondTravel { .. } => ("part.holes", machine.row(MachineQuantity::TravelY)?),
         };
-        let mut finding = about_part(Severity::Error, field, fault.note()).resting_on([limit(row)]);
+        let mut finding = about_part(fault.severity(), field, fault.note()).resting_on([limit(row)]);
         if matches!(fault, OffTable::BeyondTravel { .. }) {
             finding.reasons = turned(context);
         }

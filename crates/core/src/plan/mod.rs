@@ -16,11 +16,13 @@ use crate::units::{
 mod magazine;
 mod order;
 mod route;
+mod set_up;
 
 pub use crate::knowledge::vocabulary::{CuttingMethod, Operation};
 pub use crate::tables::rules::VisitingMethod;
 pub use order::{Mixture, Stop, Times, ToolVisit, Visiting};
 pub use route::{Achieved, Alternative, AlternativeStep, Feature, Route, RouteSource};
+pub use set_up::{JawsAlong, Setup, Stand, Vice};
 
 /// What holds cutting conditions back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -90,8 +92,11 @@ pub struct Plan {
     pub holes: Vec<HolePlan>,
     /// The magazine.
     pub tools: Vec<ToolPlan>,
-    /// How the part is clamped; absent when no hole could be planned.
+    /// How the part is clamped by straps; absent when no hole could be planned, or straps find no place.
     pub clamping: Option<Clamping>,
+    /// How the part is set up.
+    #[serde(default)]
+    pub setup: Setup,
     /// Which tool visits which points, in order.
     pub sequence: Vec<ToolVisit>,
     /// How section 1.3.1 of the textbook would visit the holes of each group of more than one tool.

@@ -23,7 +23,7 @@ use crate::knowledge::Knowledge;
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Clamping, CuttingMethod, Feature, Operation, Plan, Preference, Route, Times};
+use crate::plan::{Clamping, CuttingMethod, Feature, Operation, Plan, Preference, Route, Setup, Times};
 use crate::route::Remark;
 use crate::shop::Shop;
 use crate::tables::cutting::Process;
@@ -110,13 +110,14 @@ pub fn plan_by(
     }
     let (holes, tools) = magazine::number_tools(part, drafts, &shop, &mut findings);
 
-    let (clamping, of_clamping) = setup::clamping(part, &holes, &shop)?;
+    let (clamping, mut of_clamping) = setup::clamping(part, &holes, &shop)?;
+    let vice = setup::vice_instead(part, &holes, &mut of_clamping, &shop)?;
     findings.extend(clamping.iter().flat_map(|clamping| start_point(part, clamping, &shop)));
     findings.extend(of_clamping);
     let visits = sequence::sequence(part, &holes, &shop.machine, None);
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
-    let off_table = zone::off_table(part, &shop.machine);
-    findings.extend(off_table.iter().map(|fault| Finding::of_part(Severity::Error, fault.note())));
+    let off_table = zone::off_table(part, &shop)?;
+    findings.extend(off_table.iter().map(|fault| Finding::of_part(fault.severity(), fault.note())));
     findings.extend(names::lookalike_names(part));
     findings.extend(doubtful_row(shop.material.row));
     if let Some(state) = part.material_state {
@@ -129,6 +130,7 @@ pub fn plan_by(
         holes,
         tools,
         clamping,
+        setup: Setup { vice, stands: Vec::new() },
         sequence: visits,
         visiting,
         time: Times::default(),
@@ -315,6 +317,9 @@ fn unconfirmed(plan: &mut Plan) {
     }
     if let Some(clamping) = &plan.clamping {
         look(&clamping.because, None);
+    }
+    if let Some(vice) = &plan.setup.vice {
+        look(&vice.because, None);
     }
     plan.findings.extend(found);
 }

@@ -23,6 +23,7 @@ use crate::machine::{Machine, Rapid};
 use crate::note::{Finding, Severity};
 use crate::part::{Face, Part, Point};
 use crate::plan::{HolePlan, Plan, Stop, ToolVisit};
+use crate::setup;
 use crate::shop::Shop;
 use crate::units::{Micrometres, Minutes};
 
@@ -82,8 +83,16 @@ type Speeds = Vec<u64>;
 pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let job = job::make(plan, shop)?;
     job::timed(plan, &job, shop)?;
-    let hinders = |finding: &Finding| finding.severity == Severity::Error && !plan.findings.contains(finding);
-    let hindered: Vec<Finding> = job.findings.into_iter().filter(hinders).collect();
+    plan.setup.stands = setup::stands(plan, &job, &shop.machine);
+    // What a program would be refused for is told of the plan, too. Clamps whose height is not known make no plan wrong: its
+    // program asks for them.
+    let asked = |finding: &Finding| finding.note.code() == "ways-over-clamps";
+    let told = job.findings.into_iter().map(|finding| {
+        let severity = if asked(&finding) { Severity::Doubtful } else { finding.severity };
+        Finding { severity, ..finding }
+    });
+    let hinders = |finding: &Finding| finding.severity <= Severity::Doubtful && !plan.findings.contains(finding);
+    let hindered: Vec<Finding> = told.filter(hinders).collect();
     plan.findings.extend(hindered);
     Ok(())
 }

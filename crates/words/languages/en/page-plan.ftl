@@ -10,7 +10,7 @@ plan-machine = Equipment
 plan-route = 1. Route
 plan-tools = 2. Cutters and holders
 plan-conditions = 3. Cutting conditions
-plan-clamping = 4. Clamping
+plan-clamping = 4. Set-up and clamping
 plan-no-clamping = The plan sets no clamps.
 plan-corrections = 5. Tool-length offsets
 plan-time = 6. Time
@@ -94,6 +94,16 @@ plan-largest-side-force = Hole { $hole } needs the largest clamping force: with 
 plan-clamps = Clamps { $points }: { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-clamps-proposed = Clamps { $points } (proposed): { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-weak-screw = The screw is too weak: it bears { $bears } N, and { $force } N are needed.
+plan-lies = The left side is then at X{ $x } and the front side at Y{ $y } from the middle of the table, the front side along the slots.
+plan-vice = Set-up { $setup }: vice { $vice }, jaws along { $axis }, opened to { $opened } mm; the part { $on }, { $height } mm over the table.
+plan-on-parallels = on parallels { $height } mm high and { $thickness } mm thick at most
+plan-on-ways = on the ways
+plan-vice-grips = The jaws grip { $grip } mm and end { $below } mm below the face; for hole { $hole } they press with { $force } N, and the vice gives { $gives } N.
+plan-knee = Knee: { $nose } mm from the table to the spindle nose with the ram up.
+plan-zero-by-sides = { $frame }: touch the right and the back side with an arbor Ø d and read xM, yM: X = xM{ $right } − d/2, Y = yM{ $back } − d/2; about X{ $x } Y{ $y }.
+plan-zero-by-face = { $frame }: touch the face with the reference tool{ $tool } and read zM: Z = zM{ $face }; about Z{ $z } for the lengths of section 5.
+plan-start = Start and tool change at X{ $x } Y{ $y } of the drawing, the ram up; from hole to hole { $level } mm over the face.
+plan-start-to-clamp = The nearest clamp is { $away } mm from there.
 plan-supports-given = Set-up { $setup }: the part on supports of { $height } mm, as the file says.
 plan-supports-assumed = Set-up { $setup }: the part on supports of { $height } mm, so that tools have room below it; the file gives no height (fixture.height).
 plan-supports-none = Set-up { $setup }: no supports are needed, no tool comes out below the part; the file gives no height (fixture.height).

@@ -81,6 +81,7 @@ pub(super) fn unordered(
         holes: Vec::new(),
         tools: Vec::new(),
         clamping: ours.clamping.clone(),
+        setup: ours.setup.clone(),
         sequence: Vec::new(),
         visiting: ours.visiting.clone(),
         time: ours.time,

@@ -1,0 +1,116 @@
+//! How the part is set up on the machine: what holds it, where it stands, and its zeros.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::note::Because;
+use crate::part::{Face, Point};
+use crate::units::{Micrometres, Newtons};
+
+/// How the part is set up.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Setup {
+    /// The vice, where straps find no place on the face; without one the part lies on the table, or on what the file says.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vice: Option<Vice>,
+    /// How the part stands in each set-up.
+    pub stands: Vec<Stand>,
+}
+
+/// A machine vice with the part in it, on parallels.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Vice {
+    /// Its designation.
+    pub designation: String,
+    /// Its table.
+    pub table: String,
+    /// The axis along which its jaws stand.
+    pub jaws_along: JawsAlong,
+    /// How wide its jaws are, mm.
+    pub jaw_width_mm: Micrometres,
+    /// How far they open for the part, mm.
+    pub opened_mm: Micrometres,
+    /// From the table to the ways the parallels stand on, mm.
+    pub bed_height_mm: Micrometres,
+    /// How high the parallels are, mm; absent where the part lies on the ways.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub parallels_mm: Option<Micrometres>,
+    /// The thickest parallels that no hole comes out into, mm; absent without parallels.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thickest_parallels_mm: Option<Micrometres>,
+    /// How deep the jaws grip the part, mm.
+    pub grip_mm: Micrometres,
+    /// How far the jaws stay below the face, mm: nothing of the vice stands over it.
+    pub below_face_mm: Micrometres,
+    /// The force that the jaws must press with, N.
+    pub force_n: Newtons,
+    /// The group of holes that needs it.
+    pub hole: String,
+    /// The least force that the vice gives, N.
+    pub gives_n: Newtons,
+    /// Why.
+    pub because: Vec<Because>,
+}
+
+impl Vice {
+    /// How high the part lies over the table, mm.
+    pub fn height(&self) -> Micrometres {
+        self.bed_height_mm + self.parallels_mm.unwrap_or_default()
+    }
+}
+
+/// The axis along which the jaws of a vice stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum JawsAlong {
+    /// Along the table.
+    X,
+    /// Across the table.
+    Y,
+}
+
+impl JawsAlong {
+    /// Its letter.
+    pub const fn letter(self) -> char {
+        match self {
+            Self::X => 'X',
+            Self::Y => 'Y',
+        }
+    }
+}
+
+/// How the part stands on the table in a set-up.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Stand {
+    /// The set-up, from 1.
+    pub set_up: u32,
+    /// The face that is up.
+    pub face: Face,
+    /// How high the part lies over the table, mm.
+    pub height_mm: Micrometres,
+    /// The left side and the front side of the part from the middle of the table, mm.
+    pub corner_mm: Point,
+    /// From the table to the nose of the spindle with the quill retracted, mm: how the knee is set; absent where the record of
+    /// the machine does not say how high it can be.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub nose_to_table_mm: Option<Micrometres>,
+    /// The function of its zero: 54 for G54.
+    pub frame: u8,
+    /// Where the zero of the drawing then lies in the frame of the machine: X and Y as the part lies, Z with the reference
+    /// tool; mm.
+    pub zero_mm: [Micrometres; 3],
+    /// From the zero of the drawing to the right and the back side of the part, as it lies: the B and H of
+    /// x0 = xM − B − d/2, y0 = yM − H − d/2 (textbook 1.12.2), where an arbor of diameter d touches these sides; mm.
+    pub sides_mm: [Micrometres; 2],
+    /// From the zero of the drawing up to the face, which the reference tool touches; mm.
+    pub face_mm: Micrometres,
+    /// The tool that all lengths are counted from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reference_tool: Option<u32>,
+    /// How high over the face tools go from hole to hole, mm.
+    pub first_level_mm: Micrometres,
+    /// Where the tool changes, in the drawing: the point where the work starts.
+    pub start: Point,
+    /// From there to the nearest clamp with a screw, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start_to_clamp_mm: Option<Micrometres>,
+}

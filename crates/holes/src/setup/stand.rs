@@ -1,0 +1,37 @@
+//! Where the part stands in each set-up, and its zeros, as the job has them.
+
+use crate::job::{Job, SetUp};
+use crate::machine::Machine;
+use crate::part::{Face, Point};
+use crate::plan::{Plan, Stand};
+
+/// How the part stands in each set-up of the job of a plan.
+pub fn stands(plan: &Plan, job: &Job, machine: &Machine<'_>) -> Vec<Stand> {
+    let stand = |(setup, frame)| stand(plan, job, setup, (frame, machine));
+    job.setups.iter().zip(54..).map(stand).collect()
+}
+
+fn stand(plan: &Plan, job: &Job, setup: &SetUp, (frame, machine): (u8, &Machine<'_>)) -> Stand {
+    let (datum, blank) = (&plan.part.datum, &plan.part.blank);
+    let zero = setup.zero;
+    let start = Point { x: job.change_at.x - zero.x, y: job.change_at.y - zero.y };
+    let outs = setup.works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.out));
+    // The clamps are those of the first set-up.
+    let clamps = plan.clamping.as_ref().filter(|_| setup.face == Face::Entry).map(|clamping| &clamping.clamps);
+    Stand {
+        set_up: setup.number,
+        face: setup.face,
+        height_mm: setup.supports,
+        corner_mm: Point { x: zero.x + datum.left, y: zero.y + datum.front },
+        nose_to_table_mm: machine.nose_to_table.map(|_| setup.nose),
+        frame,
+        zero_mm: [zero.x, zero.y, zero.z],
+        // Turned over about the line through its middle along Y, the part keeps its sides where they were.
+        sides_mm: [datum.left + blank.length, datum.front + blank.width],
+        face_mm: datum.top,
+        reference_tool: plan.tools.iter().find(|tool| tool.correction_mm.micrometres() == 0).map(|tool| tool.number),
+        first_level_mm: outs.max().unwrap_or_default() - datum.top,
+        start,
+        start_to_clamp_mm: clamps.and_then(|clamps| start.to_nearest(clamps)),
+    }
+}

@@ -1,0 +1,224 @@
+//! A vice for a part on whose face straps find no place: which one takes it, how deep it grips, and how hard it must press.
+
+use crate::error::KnowledgeError;
+use crate::note::{Because, Note};
+use crate::part::Part;
+use crate::plan::{HolePlan, JawsAlong, Vice};
+use crate::shop::Shop;
+use crate::tables::materials::{ClampingConstant, MachineVice, Parallels};
+use crate::units::{Micrometres, Newtons};
+
+use super::{Load, constant, loads};
+
+/// The first vice of `vices` that takes the part, or why the last one does not.
+///
+/// The part stands on parallels, or where no tool comes out below it on the ways; its jaws stay below the face, so that nothing is
+/// in the way of a tool. Its sides are machined, as all planes are (textbook 5.2 item 3).
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub(super) fn vice(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Result<Vice, Note>, KnowledgeError> {
+    let rows: Vec<MachineVice<'_>> = shop.knowledge.rows()?;
+    let parallels: Vec<Parallels<'_>> = shop.knowledge.rows()?;
+    let limits = Limits::read(shop)?;
+    let loads = loads(holes, shop)?;
+    let job = InVice { part, loads: &loads, limits: &limits, parallels: &parallels, below: below(part, holes) };
+    let mut why = Note::new("no-vice-known");
+    for row in &rows {
+        for jaws in [JawsAlong::X, JawsAlong::Y] {
+            match job.held(row, jaws, shop)? {
+                Ok(vice) => return Ok(Ok(vice)),
+                Err(refused) => why = refused.with("vice", row.designation.to_owned()),
+            }
+        }
+    }
+    Ok(Err(why))
+}
+
+/// How far a tool comes out below the part.
+fn below(part: &Part, holes: &[HolePlan]) -> Micrometres {
+    let ends = holes.iter().flat_map(|plan| &plan.transitions).filter(|one| !one.elsewhere);
+    let lowest = ends.map(|transition| transition.end()).max().unwrap_or_default();
+    (lowest - part.blank.thickness).max(Micrometres::ZERO)
+}
+
+/// The constants of the table `clamping` that a vice is held by.
+struct Limits {
+    safety: f64,
+    friction: f64,
+    grip: Micrometres,
+    grip_share: f64,
+    below_face: Micrometres,
+    room_below: Micrometres,
+    because: Vec<Because>,
+}
+
+impl Limits {
+    fn read(shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
+        let mut because = Vec::new();
+        let mut read = |wanted| -> Result<f64, KnowledgeError> {
+            let (value, why) = constant(wanted, shop)?;
+            because.push(why);
+            Ok(value)
+        };
+        let safety = read(ClampingConstant::Safety)?;
+        // Jaws are ground steel, as a support.
+        let friction = read(ClampingConstant::SupportFriction)?;
+        let [grip, below_face, room_below] = [
+            read(ClampingConstant::ViceGrip)?,
+            read(ClampingConstant::ViceBelowFace)?,
+            read(ClampingConstant::ViceRoomBelow)?,
+        ]
+        .map(Micrometres::from_mm_rounded);
+        let grip_share = read(ClampingConstant::ViceGripShare)?;
+        Ok(Self { safety, friction, grip, grip_share, below_face, room_below, because })
+    }
+}
+
+struct InVice<'a, 'k> {
+    part: &'a Part,
+    loads: &'a [Load<'a>],
+    limits: &'a Limits,
+    parallels: &'a [Parallels<'k>],
+    below: Micrometres,
+}
+
+impl InVice<'_, '_> {
+    /// The part in that vice with its jaws along that axis, or the inequality that fails.
+    fn held(
+        &self,
+        row: &MachineVice<'_>,
+        jaws: JawsAlong,
+        shop: &Shop<'_>,
+    ) -> Result<Result<Vice, Note>, KnowledgeError> {
+        let blank = &self.part.blank;
+        let (along, between) = match jaws {
+            JawsAlong::X => (blank.length, blank.width),
+            JawsAlong::Y => (blank.width, blank.length),
+        };
+        if along > row.jaw_width || between > row.opening {
+            let note = Note::new("vice-too-small").with("along", along).with("jaws", row.jaw_width);
+            return Ok(Err(note.with("between", between).with("opening", row.opening)));
+        }
+        let on = match self.parallels(row, jaws) {
+            Ok(on) => on,
+            Err(why) => return Ok(Err(why)),
+        };
+        let raised = on.as_ref().map_or(Micrometres::ZERO, |on| on.height);
+        let grip = row.jaw_height - raised;
+        let needed = self.needed(between, grip);
+        let Some((force, load)) = needed else { return Ok(Err(Note::new("no-vice-known"))) };
+        if force.0 > row.force.0 {
+            let note = Note::new("vice-too-weak").with("force", force.rounded(0).0).with("gives", row.force.0);
+            return Ok(Err(note));
+        }
+        let note = Note::new("vice-holds")
+            .with("between", between)
+            .with("opening", row.opening)
+            .with("along", along)
+            .with("jaws", row.jaw_width);
+        let table = shop.knowledge.table_of::<MachineVice<'_>>()?;
+        let mut because = vec![Because::row(row.row, note)];
+        because.extend(on.as_ref().map(|on| {
+            Because::row(on.row, Note::new("vice-parallels").with("height", on.height).with("below", self.below))
+        }));
+        because.extend(self.limits.because.iter().cloned());
+        Ok(Ok(Vice {
+            designation: row.designation.to_owned(),
+            table: table.id.clone(),
+            jaws_along: jaws,
+            jaw_width_mm: row.jaw_width,
+            opened_mm: between,
+            bed_height_mm: row.bed_height,
+            parallels_mm: on.as_ref().map(|on| on.height),
+            thickest_parallels_mm: on
+                .as_ref()
+                .map(|on| on.thickest.min(self.room_beside(jaws, on.length).unwrap_or(on.thickest))),
+            grip_mm: grip,
+            below_face_mm: blank.thickness - grip,
+            force_n: force.rounded(0),
+            hole: load.hole.to_owned(),
+            gives_n: row.force,
+            because,
+        }))
+    }
+
+    /// The lowest parallels that leave the tools room below the part and the jaws a grip below the face; none where the part lies
+    /// on the ways.
+    fn parallels(&self, row: &MachineVice<'_>, jaws: JawsAlong) -> Result<Option<&Parallels<'_>>, Note> {
+        let (thickness, limits) = (self.part.blank.thickness, self.limits);
+        let most = (thickness - limits.below_face).min(row.jaw_height);
+        let least = limits.grip.max(Micrometres::from_mm_rounded(limits.grip_share * thickness.to_mm()));
+        let fits = |raised: Micrometres| {
+            let grip = row.jaw_height - raised;
+            grip <= most && grip >= least
+        };
+        if self.below == Micrometres::ZERO && fits(Micrometres::ZERO) {
+            return Ok(None);
+        }
+        let room = if self.below > Micrometres::ZERO { self.below + limits.room_below } else { Micrometres::ZERO };
+        let mut standing = self.parallels.iter().filter(|one| one.height >= room && fits(one.height));
+        let note = || {
+            let note = Note::new("vice-no-grip").with("jaws", row.jaw_height).with("below", self.below);
+            note.with("least", least).with("most", most)
+        };
+        let lowest = standing.next().ok_or_else(note)?;
+        match self.room_beside(jaws, lowest.length) {
+            Some(beside) if beside >= lowest.thinnest => Ok(Some(lowest)),
+            beside => {
+                let note = Note::new("vice-parallels-in-the-way").with("beside", beside.unwrap_or_default());
+                Err(note.with("thinnest", lowest.thinnest))
+            }
+        }
+    }
+
+    /// The least distance from a jaw to the edge of a hole that comes out below; none where a hole lies beyond the end of the
+    /// parallels.
+    fn room_beside(&self, jaws: JawsAlong, parallels: Micrometres) -> Option<Micrometres> {
+        let (blank, datum, middle) = (&self.part.blank, &self.part.datum, self.part.middle());
+        let mut room = blank.length.max(blank.width);
+        for hole in &self.part.holes {
+            let widest =
+                hole.steps.iter().map(|step| step.diameter.nominal).fold(hole.diameter.nominal, Micrometres::max);
+            for at in &hole.at {
+                let (from_jaw, to_end) = match jaws {
+                    JawsAlong::X => (side(at.y - datum.front, blank.width), (at.x - middle.x).abs()),
+                    JawsAlong::Y => (side(at.x - datum.left, blank.length), (at.y - middle.y).abs()),
+                };
+                if to_end > parallels.half() {
+                    return None;
+                }
+                room = room.min(from_jaw - widest.half());
+            }
+        }
+        Some(room)
+    }
+
+    /// The force of the jaws, N, and the load that needs the most of it, with the part `between` thick between them and gripped as
+    /// deep as `grip`:
+    ///
+    /// - turning: the friction of both jaws is a couple on the arm between them: k·M ≤ f·Q·between;
+    /// - sliding along the jaws: k·P ≤ 2·f·Q;
+    /// - tipping over the jaws, which press at the edge of the grip at worst: k·P·a ≤ Q·grip/2, a from the middle of the grip up to
+    ///   the face.
+    ///
+    /// Statics of a block between two flat jaws; the thrust is borne by what the part stands on.
+    fn needed(&self, between: Micrometres, grip: Micrometres) -> Option<(Newtons, &Load<'_>)> {
+        let (k, f) = (self.limits.safety, self.limits.friction);
+        let [between, grip, thickness] =
+            [between, grip, self.part.blank.thickness].map(|length| length.to_mm() / 1000.0);
+        let arm = thickness - grip / 2.0;
+        let force = |load: &Load<'_>| {
+            let side = load.side.map_or(0.0, |side| side.0);
+            let turning = k * load.torque.0 / (f * between);
+            turning.max(k * side / (2.0 * f)).max(2.0 * k * side * arm / grip)
+        };
+        let forces = self.loads.iter().map(|load| (force(load), load));
+        forces.max_by(|one, two| one.0.total_cmp(&two.0)).map(|(force, load)| (Newtons(force), load))
+    }
+}
+
+/// The distance to the nearer of two sides.
+fn side(from: Micrometres, size: Micrometres) -> Micrometres {
+    from.min(size - from)
+}

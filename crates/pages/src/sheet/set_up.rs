@@ -1,0 +1,120 @@
+//! The set-up as a sheet that a setter follows from top to bottom: the part on the table, what holds it, the knee, the zeros, the
+//! first motion.
+
+use crate::document::Document;
+use crate::note::{Figure, Note};
+use crate::part::Face;
+use crate::plan::{Clamping, Plan, Stand, Vice};
+use crate::units::Micrometres;
+
+use super::{Lang, clamps_of, mark, rounded, say, weak_screw};
+
+/// The steps of all set-ups, numbered throughout.
+pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
+    let mut steps = Vec::new();
+    for stand in &plan.setup.stands {
+        match &plan.setup.vice {
+            Some(vice) => steps.push(in_vice(vice, stand, lang)),
+            None => steps.extend(on_table(stand, plan, lang)),
+        }
+        steps.extend(place(stand, lang));
+    }
+    for (number, step) in (1..).zip(steps) {
+        page.paragraph(format!("{number}. {step}"));
+    }
+}
+
+/// The part on supports, and its clamps.
+fn on_table(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
+    let key = match plan.part.fixture.height {
+        Some(_) => "plan-supports-given",
+        None if stand.height_mm > Micrometres::ZERO => "plan-supports-assumed",
+        None => "plan-supports-none",
+    };
+    let supports = lang.say(&Note::new(key).with("setup", stand.set_up).with("height", stand.height_mm));
+    let lies = lang.say(&lies(stand));
+    let held = match &plan.clamping {
+        _ if stand.face == Face::Back => say!(lang, "setting-clamps-of-second", setup = stand.set_up).to_owned(),
+        Some(clamping) => clamps(clamping, lang),
+        None => lang.word("plan-no-clamping").to_owned(),
+    };
+    vec![format!("{supports} {lies}"), held]
+}
+
+/// Where the corner of the part lies on the table.
+fn lies(stand: &Stand) -> Note {
+    Note::new("plan-lies").with("x", stand.corner_mm.x).with("y", stand.corner_mm.y)
+}
+
+/// The part in the vice.
+pub(crate) fn in_vice(vice: &Vice, stand: &Stand, lang: Lang) -> String {
+    let on = match vice.parallels_mm {
+        Some(height) => Note::new("plan-on-parallels")
+            .with("height", height)
+            .with("thickness", vice.thickest_parallels_mm.unwrap_or_default()),
+        None => Note::new("plan-on-ways"),
+    };
+    let held = Note::new("plan-vice")
+        .with("setup", stand.set_up)
+        .with("vice", format!("{}{}", vice.designation, mark(&vice.because)))
+        .with("axis", vice.jaws_along.letter())
+        .with("opened", vice.opened_mm)
+        .with("on", lang.say(&on))
+        .with("height", stand.height_mm);
+    let grips = Note::new("plan-vice-grips")
+        .with("grip", vice.grip_mm)
+        .with("below", vice.below_face_mm)
+        .with("force", rounded(vice.force_n.0, 0))
+        .with("hole", Figure::called(&vice.hole))
+        .with("gives", rounded(vice.gives_n.0, 0));
+    [lang.say(&held), lang.say(&grips), lang.say(&lies(stand))].join(" ")
+}
+
+/// The force of the clamps, and where they press.
+fn clamps(clamping: &Clamping, lang: Lang) -> String {
+    let note = match clamping.side_force_n {
+        Some(side) => Note::new("plan-largest-side-force").with("side", rounded(side.0, 0)),
+        None => Note::new("plan-largest-force").with("distance", rounded(clamping.distance_mm.to_mm(), 1)),
+    };
+    let note = note
+        .with("hole", Figure::called(&clamping.hole))
+        .with("torque", rounded(clamping.torque_n_m.0, 2))
+        .with("force", rounded(clamping.force_n.0, 0));
+    let mut sentences = vec![clamps_of(clamping, lang), lang.say(&note)];
+    if clamping.screw_bears_n.0 < clamping.force_per_clamp_n.0 {
+        sentences.push(weak_screw(clamping, lang));
+    }
+    sentences.join(" ")
+}
+
+/// The knee, the zeros and the first motion.
+fn place(stand: &Stand, lang: Lang) -> Vec<String> {
+    let [x, y, z] = stand.zero_mm;
+    let [right, back] = stand.sides_mm;
+    let knee = stand.nose_to_table_mm.map(|nose| lang.say(&Note::new("plan-knee").with("nose", nose)));
+    let frame = format!("G{}", stand.frame);
+    let sides = Note::new("plan-zero-by-sides")
+        .with("frame", frame.as_str())
+        .with("right", less(right))
+        .with("back", less(back))
+        .with("x", x)
+        .with("y", y);
+    let face = Note::new("plan-zero-by-face")
+        .with("frame", frame.as_str())
+        .with("tool", stand.reference_tool.map_or_else(String::new, |tool| format!(" T{tool}")))
+        .with("face", if stand.face_mm == Micrometres::ZERO { String::new() } else { less(stand.face_mm) })
+        .with("z", z);
+    let start =
+        Note::new("plan-start").with("x", stand.start.x).with("y", stand.start.y).with("level", stand.first_level_mm);
+    let start = match stand.start_to_clamp_mm {
+        Some(away) => [lang.say(&start), lang.say(&Note::new("plan-start-to-clamp").with("away", away))].join(" "),
+        None => lang.say(&start),
+    };
+    knee.into_iter().chain([lang.say(&sides), lang.say(&face), start]).collect()
+}
+
+/// A length taken away in a sum: ` − 250`, or ` + 250` where it lies on the other side of the zero.
+fn less(length: Micrometres) -> String {
+    let sign = if length < Micrometres::ZERO { '+' } else { '−' };
+    format!(" {sign} {}", length.abs())
+}
