@@ -123,6 +123,27 @@ rows! {
         severity: Severity,
     }
 
+    /// A constant of clamping other than the textbook's.
+    pub struct AuditClamping of One("audit-clamping") asked by AuditClampingFor {
+        quantity: Quantity,
+        of_table: Percent,
+    } {
+        severity: Severity,
+    }
+
+    /// An overhang other than the textbook's.
+    pub struct AuditOverhang of One("audit-overhang") asked by AuditOverhangFor {
+        excess: Micrometres,
+    } {
+        severity: Severity,
+    }
+
+    /// Names that the textbook prints otherwise than the catalogs have them.
+    pub struct PrintedNames of One("audit-printed") {
+        printed: &'t str,
+        known: &'t str,
+    }
+
     /// A force or torque, compared with the handbook's formula.
     pub struct AuditLoad of One("audit-load") asked by AuditLoadFor {
         of_formula: Percent,
