@@ -39,6 +39,22 @@ vocabulary! {
         Rapid = "rapid",
     }
 
+    /// What a plan may cover.
+    pub enum PlanPart {
+        /// The route of every group of holes.
+        Holes = "holes",
+        /// Tools and holders.
+        Tools = "tools",
+        /// Cutting conditions.
+        Conditions = "conditions",
+        /// The clamping.
+        Clamping = "clamping",
+        /// The program.
+        Program = "program",
+        /// Times.
+        Times = "times",
+    }
+
     /// A figure of the pace of a lathe program.
     pub enum PaceFigure {
         /// The cutting speed.
@@ -136,6 +152,12 @@ rows! {
         excess: Micrometres,
     } {
         severity: Severity,
+    }
+
+    /// What a part of a plan is worth where it is missing.
+    pub struct AuditShares of One("audit-shares") complete part {
+        part: PlanPart,
+        share: Percent,
     }
 
     /// Names that the textbook prints otherwise than the catalogs have them.
