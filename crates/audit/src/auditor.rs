@@ -17,7 +17,7 @@ use super::finding::Audit;
 use super::near::Names;
 use super::stated::{Program, Stated};
 use super::tolerance::Tolerances;
-use super::{checks, context, figures, graph, rules};
+use super::{checks, context, coverage, figures, graph, rules};
 
 /// Audits plans, one after the other or many at once.
 #[derive(Debug)]
@@ -101,7 +101,7 @@ impl<'k> Auditor<'k> {
         }
         let mut findings = figures::findings(&context, &graph);
         checks::all(&context, &graph, &mut findings)?;
-        Ok(Audit::new(stated, findings))
+        Ok(Audit::new(stated, coverage::of(stated, self.knowledge)?, findings))
     }
 
     /// Runs a program. The same program with the same setting is run once.

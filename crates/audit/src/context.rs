@@ -86,6 +86,12 @@ impl<'a> Context<'a> {
         self.of_dimensions.get(tool)?.as_ref()
     }
 
+    /// Whether the dimensions that a tool states, two or more, are all those of that cutter.
+    pub fn has_dimensions_of(&self, tool: usize, known: &str) -> bool {
+        let mut cutters = self.auditor.cutters.values().filter(|cutter| cutter.designation == known);
+        cutters.any(|cutter| of_dimensions::has(&self.stated.tools[tool], cutter))
+    }
+
     /// The catalog entry near to the designation of a holder.
     pub fn holder_near(&self, tool: usize) -> &NameMatch<HolderRow<'a>> {
         self.holders.get(tool).unwrap_or(&NameMatch::Unstated)

@@ -41,6 +41,8 @@ forms! {
         pub part: PartOrPath,
         /// By which method the conditions were found: by formula unless said.
         pub cutting: Option<CuttingMethod>,
+        /// What the plan covers: `holes` (the route), `tools`, `conditions`, `clamping`, `program`, `times`; everything unless said.
+        pub scope: Option<ScopeOf>,
         /// The route, in the order of work.
         pub route: Option<Vec<Row>>,
         /// The tools by their places: `T1: {…}`.
@@ -294,6 +296,16 @@ pub enum PartOrPath {
     Path(String),
     /// Itself.
     Part(Box<PartFile>),
+}
+
+/// One part of a plan or several.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum ScopeOf {
+    /// One.
+    One(String),
+    /// Several.
+    Many(Vec<String>),
 }
 
 /// An operation.

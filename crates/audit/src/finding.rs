@@ -10,6 +10,7 @@ use crate::plan::{CuttingMethod, Operation};
 use technolog_core::lang::Lang;
 
 use super::context::Context;
+use super::coverage::Coverage;
 use super::graph::Rule;
 use super::marks::Marks;
 use super::quantity::{Id, Quantity, Scope};
@@ -26,6 +27,9 @@ pub struct Audit {
     pub summary: Summary,
     /// The findings by section, the most severe first.
     pub findings: Vec<AuditFinding>,
+    /// How much of each of its parts is missing.
+    #[serde(skip)]
+    pub coverage: Vec<Coverage>,
     /// Its marks, where a scheme was given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<Marks>,
@@ -315,7 +319,7 @@ impl AuditFinding {
 }
 
 impl Audit {
-    pub(super) fn new(stated: &Stated, mut findings: Vec<AuditFinding>) -> Self {
+    pub(super) fn new(stated: &Stated, coverage: Vec<Coverage>, mut findings: Vec<AuditFinding>) -> Self {
         // Roots before their consequences, the most severe first, then in the order of report and file; notes last.
         findings.sort_by_key(|finding| {
             let (note, follows) = (finding.severity == Severity::Note, !finding.follows_from.is_empty());
@@ -326,7 +330,7 @@ impl Audit {
             summary.all.add(finding);
             summary.sections.entry(finding.section).or_default().add(finding);
         }
-        Self { plan: stated.name.clone(), file: stated.file.clone(), summary, findings, marks: None }
+        Self { plan: stated.name.clone(), file: stated.file.clone(), summary, findings, coverage, marks: None }
     }
 
     /// The finding to look at first: the most severe one that follows from no other; among equals the first of the

@@ -267,6 +267,10 @@ impl<'a> Graph<'a> {
         let mut options = Vec::new();
         options.extend(written.map(|written| (written, self.is_off(input))));
         options.extend(right.filter(|right| written != Some(*right)).map(|value| (value, false)));
+        // Or as its table has it, where another value may stand: who prints another may have gone on with the table's.
+        let table = self.formula(input).filter(|own| own.judge.is_some() && own.inputs.is_empty());
+        let table = table.and_then(|own| (own.compute)(&[])).filter(|value| written != Some(*value));
+        options.extend(table.filter(|value| right != Some(*value)).map(|value| (value, false)));
         // Or as it should be, rounded as the plan prints it.
         if let (Some(figure), Some(right)) = (self.stated.figure(input), right) {
             let rounded = (right / figure.last_place).round() * figure.last_place;

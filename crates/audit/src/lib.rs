@@ -20,6 +20,7 @@ mod auditor;
 mod backed;
 pub mod checks;
 mod context;
+mod coverage;
 mod figures;
 pub mod file;
 mod finding;
@@ -56,12 +57,14 @@ use crate::plan::Plan;
 
 pub use against::{Comparison, Cost, Difference};
 pub use auditor::Auditor;
+pub use coverage::Coverage;
 pub use file::schema;
 pub use finding::{Audit, AuditFinding, Change, Counts, MissingKeys, Section, Shown, Subject, Summary};
 pub use graph::Rule;
 pub use many::{Audited, Mistake, Unread, total};
 pub use read::{Files, NamedText, Unreadable, read_if_plan, read_plan, read_plan_node};
 use stated::Stated;
+pub use tables::audit::PlanPart;
 pub use write::by_hand;
 
 /// Checks one plan against the knowledge base; for many plans one [`Auditor`] is faster.

@@ -7,6 +7,9 @@ use serde::Serialize;
 
 use crate::note::Severity;
 
+use crate::tables::audit::PlanPart;
+
+use super::coverage::Coverage;
 use super::finding::{Audit, AuditFinding, Section};
 pub use read::read_scheme;
 pub use scheme::schema;
@@ -27,7 +30,11 @@ pub struct MarkingScheme {
     /// Sections with deductions or a cap of their own.
     pub sections: Vec<(Section, SectionScheme)>,
     /// Deductions by the ids of rules.
-    pub rules: Vec<(String, f64)>,
+    pub rules: Vec<(String, BySeverity)>,
+    /// What a part of the plan costs where it is missing; none: the shares of the table `audit-shares`.
+    pub missing: Option<Vec<(PlanPart, f64)>>,
+    /// What the work is to cover; none: what each plan says of itself.
+    pub scope: Option<Vec<PlanPart>>,
 }
 
 /// Deductions by severity; none where the scheme gives none.
@@ -62,9 +69,26 @@ pub struct Marks {
     /// Whether the plan passes, where the scheme gives a limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub passed: Option<bool>,
+    /// What is taken off for parts that are missing.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub missing: Vec<MissingPart>,
+    /// What the plan itself says that it does not cover, so that nothing is taken off for it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub uncovered: Vec<&'static str>,
     /// The deduction for each finding, in the order of the audit; findings without deduction are listed with the
     /// reason.
     pub deductions: Vec<Deduction>,
+}
+
+/// What a part costs that is missing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MissingPart {
+    /// The part, as `scope` names it.
+    pub part: &'static str,
+    /// How much of it is missing, per cent.
+    pub percent: f64,
+    /// Points taken off.
+    pub points: f64,
 }
 
 /// What a finding costs.
@@ -113,10 +137,36 @@ impl BySeverity {
 }
 
 impl MarkingScheme {
+    /// What the parts of the plan cost that are missing, of the points that are left.
+    fn missing(&self, audit: &Audit, left: &mut f64) -> Vec<MissingPart> {
+        let asked = |own: &&Coverage| self.scope.as_ref().map_or(own.covered, |scope| scope.contains(&own.part));
+        let parts: Vec<&Coverage> = audit.coverage.iter().filter(asked).collect();
+        let all: f64 = parts.iter().map(|own| own.share).sum();
+        let price = |own: &Coverage| match &self.missing {
+            Some(prices) => prices.iter().find(|(part, _)| *part == own.part).map_or(0.0, |(_, points)| *points),
+            // Of a part of the whole the shares are that part's.
+            None if all > 0.0 => self.points * own.share / all,
+            None => 0.0,
+        };
+        let mut found = Vec::new();
+        for own in parts {
+            let taken = (price(own) * own.missing).min(*left);
+            if taken > 0.0 {
+                *left -= taken;
+                let (percent, points) = (rounded(own.missing * 100.0), rounded(taken));
+                found.push(MissingPart { part: own.part.name(), percent, points });
+            }
+        }
+        found
+    }
+
     /// The marks of an audit. The most specific entry of the scheme applies: rule before section before severity. A
     /// consequence of another slip is charged as a consequence, whatever its rule.
     pub fn mark(&self, audit: &Audit) -> Marks {
         let mut left = self.points;
+        let missing = self.missing(audit, &mut left);
+        let uncovered = audit.coverage.iter().filter(|own| self.scope.is_none() && !own.covered);
+        let uncovered = uncovered.map(|own| own.part.name()).collect();
         let mut spent: Vec<(Section, f64)> = Vec::new();
         let mut deductions = Vec::new();
         for finding in &audit.findings {
@@ -140,15 +190,16 @@ impl MarkingScheme {
         }
         let points = rounded(left);
         let passed = self.pass.map(|pass| points >= pass);
-        Marks { scheme: self.name.clone(), points, maximum: self.points, passed, deductions }
+        Marks { scheme: self.name.clone(), points, maximum: self.points, passed, missing, uncovered, deductions }
     }
 
     fn charge(&self, finding: &AuditFinding) -> (f64, DeductedBy) {
         if !finding.follows_from.is_empty() {
             return (self.consequences, DeductedBy::Consequence);
         }
-        if let Some((_, points)) = self.rules.iter().find(|(rule, _)| *rule == finding.rule) {
-            return (*points, DeductedBy::Rule);
+        let rule = self.rules.iter().find(|(rule, _)| *rule == finding.rule);
+        if let Some(points) = rule.and_then(|(_, own)| own.points(finding.severity)) {
+            return (points, DeductedBy::Rule);
         }
         let own = self.sections.iter().find(|(section, _)| *section == finding.section);
         if let Some(points) = own.and_then(|(_, own)| own.deduct.points(finding.severity)) {

@@ -14,7 +14,7 @@ use super::auditor::Auditor;
 use super::near::{away, same_table};
 use super::quantity::Quantity as Q;
 use super::rules::tools::{dimensions, may_be_ground};
-use super::stated::{Row, Stated};
+use super::stated::{Row, Stated, Tool};
 
 /// The cutter meant by the dimensions of a tool; none if its designation is right, or a dimension may be the slip.
 pub(super) fn meant<'a>(
@@ -51,6 +51,16 @@ pub(super) fn meant<'a>(
     let far =
         |cutter: &&NamedCutter<'a>| (!same_table(&cutter.row.row.table.id, table), away(name, cutter.designation));
     auditor.cutters.values().filter(suits).min_by_key(far).cloned()
+}
+
+/// Whether a tool states two or more dimensions, and all of them are those of a cutter.
+pub(super) fn has(tool: &Tool, cutter: &NamedCutter<'_>) -> bool {
+    let stated = dimensions(&cutter.row).into_iter().filter_map(|(quantity, length)| {
+        let value = tool.figures.get(&quantity)?.value;
+        Some(length.is_some_and(|length| (length.to_mm() - value).abs() < 1e-6))
+    });
+    let stated: Vec<bool> = stated.collect();
+    stated.len() >= 2 && stated.into_iter().all(|same| same)
 }
 
 /// Whether a cutter is of the kind and size that a row states.

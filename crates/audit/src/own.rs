@@ -148,6 +148,7 @@ pub(super) fn read(
         file: file.to_owned(),
         part: head.part,
         method: head.cutting,
+        scope: None,
         is_own: true,
         tree: Some(root.clone()),
         rows,

@@ -8,6 +8,7 @@ use crate::knowledge::diagnostic::{Diagnostic, Place};
 use crate::knowledge::yaml::Node;
 use crate::part::Part;
 use crate::plan::{CuttingMethod, Feature, Operation};
+use crate::tables::audit::PlanPart;
 
 use super::quantity::{Id, Quantity, Scope};
 
@@ -50,6 +51,8 @@ pub struct Stated {
     pub part: Part,
     /// The method of its cutting conditions; the program's plan for comparison uses the same.
     pub method: CuttingMethod,
+    /// What it says it covers; nothing said is everything.
+    pub scope: Option<Vec<PlanPart>>,
     /// Whether `technolog plan` wrote it: then its figures are rounded as that command rounds, and its route is
     /// listed hole by hole.
     pub is_own: bool,
@@ -72,6 +75,11 @@ pub struct Stated {
 }
 
 impl Stated {
+    /// Whether the plan covers that part.
+    pub fn covers(&self, part: PlanPart) -> bool {
+        self.scope.as_ref().is_none_or(|scope| scope.contains(&part))
+    }
+
     /// An error of the knowledge base as a mistake of the file, where the file is the reason. Checked tables lack
     /// nothing for a part that was read, so the reason is a figure of the part inside a plan of the program.
     pub fn at_fault(&self, error: &KnowledgeError) -> Option<Diagnostic> {

@@ -39,6 +39,22 @@ vocabulary! {
         Rapid = "rapid",
     }
 
+    /// What a plan may cover.
+    pub enum PlanPart {
+        /// The route of every group of holes.
+        Holes = "holes",
+        /// Tools and holders.
+        Tools = "tools",
+        /// Cutting conditions.
+        Conditions = "conditions",
+        /// The clamping.
+        Clamping = "clamping",
+        /// The program.
+        Program = "program",
+        /// Times.
+        Times = "times",
+    }
+
     /// A figure of the pace of a lathe program.
     pub enum PaceFigure {
         /// The cutting speed.
@@ -121,6 +137,33 @@ rows! {
         of_formula: Percent,
     } {
         severity: Severity,
+    }
+
+    /// A constant of clamping other than the textbook's.
+    pub struct AuditClamping of One("audit-clamping") asked by AuditClampingFor {
+        quantity: Quantity,
+        of_table: Percent,
+    } {
+        severity: Severity,
+    }
+
+    /// An overhang other than the textbook's.
+    pub struct AuditOverhang of One("audit-overhang") asked by AuditOverhangFor {
+        excess: Micrometres,
+    } {
+        severity: Severity,
+    }
+
+    /// What a part of a plan is worth where it is missing.
+    pub struct AuditShares of One("audit-shares") complete part {
+        part: PlanPart,
+        share: Percent,
+    }
+
+    /// Names that the textbook prints otherwise than the catalogs have them.
+    pub struct PrintedNames of One("audit-printed") {
+        printed: &'t str,
+        known: &'t str,
     }
 
     /// A force or torque, compared with the handbook's formula.

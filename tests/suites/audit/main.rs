@@ -12,6 +12,7 @@ mod against;
 mod by_hand;
 mod faults;
 mod folder;
+mod honest;
 mod marks;
 mod mutations;
 mod program;

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 
 use proptest::prelude::*;
 use technolog::audit::marks::{DeductedBy, MarkingScheme, Marks, read_scheme};
-use technolog::audit::{Audit, audit, read_plan, rules};
+use technolog::audit::{Audit, PlanPart, audit, read_plan, rules};
 use technolog::words::Lang;
 use technolog_testing::KNOWLEDGE;
 
@@ -22,13 +22,17 @@ fn scheme(text: &str) -> MarkingScheme {
     read_scheme("marks.yaml", text, &known().iter().map(String::as_str).collect::<Vec<_>>()).unwrap()
 }
 
+fn audited_text(text: &str) -> Audit {
+    let files = |name: &str| std::fs::read_to_string(root("tests/audit").join(name)).map_err(|error| error.to_string());
+    audit(&read_plan("plan.yaml", text, &KNOWLEDGE, &files).unwrap(), &KNOWLEDGE).unwrap()
+}
+
 /// The plan without a slip except for one: the clamping force twice too large, and with it the force per clamp.
 fn audited() -> Audit {
     let text = std::fs::read_to_string(root("tests/audit/right.yaml")).unwrap();
     let text =
         text.replacen("force: 1488", "force: 2976", 1).replacen("force_per_clamp: 744", "force_per_clamp: 1488", 1);
-    let files = |name: &str| std::fs::read_to_string(root("tests/audit").join(name)).map_err(|error| error.to_string());
-    audit(&read_plan("plan.yaml", &text, &KNOWLEDGE, &files).unwrap(), &KNOWLEDGE).unwrap()
+    audited_text(&text)
 }
 
 fn mark_of(marks: &Marks, field: &str) -> (f64, DeductedBy, bool) {
@@ -43,43 +47,43 @@ fn the_most_particular_word_of_the_scheme_holds() {
     // doubtful clamping beside)
     for (text, force, per_clamp, points) in [
         (
-            "{points: 10, deduct: {wrong: 3}}",
+            "{points: 10, missing: {}, deduct: {wrong: 3}}",
             (3.0, DeductedBy::Severity, false),
             (0.0, DeductedBy::Consequence, false),
             7.0,
         ),
         (
-            "{points: 10, deduct: {wrong: 3}, consequences: 0.5}",
+            "{points: 10, missing: {}, deduct: {wrong: 3}, consequences: 0.5}",
             (3.0, DeductedBy::Severity, false),
             (0.5, DeductedBy::Consequence, false),
             6.5,
         ),
         (
-            "{points: 10, deduct: {wrong: 3}, sections: {clamping: {wrong: 2}}}",
+            "{points: 10, missing: {}, deduct: {wrong: 3}, sections: {clamping: {wrong: 2}}}",
             (2.0, DeductedBy::Section, false),
             (0.0, DeductedBy::Consequence, false),
             8.0,
         ),
         (
-            "{points: 10, deduct: {wrong: 3}, sections: {clamping: {wrong: 2}}, rules: {clamping-force: 1}}",
+            "{points: 10, missing: {}, deduct: {wrong: 3}, sections: {clamping: {wrong: 2}}, rules: {clamping-force: 1}}",
             (1.0, DeductedBy::Rule, false),
             (0.0, DeductedBy::Consequence, false),
             9.0,
         ),
         (
-            "{points: 10, deduct: {wrong: 3}, sections: {clamping: {at_most: 2}}}",
+            "{points: 10, missing: {}, deduct: {wrong: 3}, sections: {clamping: {at_most: 2}}}",
             (2.0, DeductedBy::Severity, true),
             (0.0, DeductedBy::Consequence, false),
             8.0,
         ),
         (
-            "{points: 2, deduct: {wrong: 3}}",
+            "{points: 2, missing: {}, deduct: {wrong: 3}}",
             (2.0, DeductedBy::Severity, true),
             (0.0, DeductedBy::Consequence, false),
             0.0,
         ),
         (
-            "{points: 10, deduct: {wrong: 1, doubtful: 0.25}}",
+            "{points: 10, missing: {}, deduct: {wrong: 1, doubtful: 0.25}}",
             (1.0, DeductedBy::Severity, false),
             (0.0, DeductedBy::Consequence, false),
             8.0,
@@ -96,7 +100,7 @@ fn the_most_particular_word_of_the_scheme_holds() {
 fn a_plan_passes_from_the_threshold_on() {
     let audit = audited();
     for (pass, passed) in [("6.9", Some(true)), ("7", Some(true)), ("7.1", Some(false)), ("", None)] {
-        let marks = scheme(&format!("{{points: 10, pass: {pass}, deduct: {{wrong: 3}}}}")).mark(&audit);
+        let marks = scheme(&format!("{{points: 10, missing: {{}}, pass: {pass}, deduct: {{wrong: 3}}}}")).mark(&audit);
         assert_eq!(marks.passed, passed, "{pass}");
     }
 }
@@ -112,7 +116,8 @@ proptest! {
         let text = format!("{{points: {points}, deduct: {{error: {error}, wrong: {wrong}, doubtful: {doubtful}}}, sections: {{conditions: {{at_most: {cap}}}}}}}");
         let marks = scheme(&text).mark(&AUDITED);
         let taken: f64 = marks.deductions.iter().map(|one| one.points).sum();
-        prop_assert!((marks.points + taken - f64::from(points)).abs() < 1e-9, "{marks:?}");
+        let missing: f64 = marks.missing.iter().map(|one| one.points).sum();
+        prop_assert!((marks.points + missing + taken - f64::from(points)).abs() < 0.02, "{marks:?}");
         let conditions = marks.deductions.iter().filter(|one| one.section == technolog::audit::Section::Conditions);
         prop_assert!(conditions.map(|one| one.points).sum::<f64>() <= f64::from(cap));
     }
@@ -170,4 +175,51 @@ fn the_page_shows_the_example() {
     let body: String =
         example.lines().skip_while(|line| line.starts_with('#')).map(|line| line.to_owned() + "\n").collect();
     assert!(std::fs::read_to_string(root("docs/audit.md")).unwrap().contains(&body));
+}
+
+fn example() -> MarkingScheme {
+    scheme(&std::fs::read_to_string(root("examples/marks.yaml")).unwrap())
+}
+
+/// By the shipped example an empty plan has no point, an honest whole one all, and a part of one those of its part.
+#[test]
+fn an_empty_plan_has_no_point_and_an_honest_one_all() {
+    let empty = audited_text("part: ../../examples/plate.yaml\n");
+    assert_eq!(example().mark(&empty).points, 0.0);
+    let whole = std::fs::read_to_string(root("tests/audit/right-formula.yaml")).unwrap();
+    assert_eq!(example().mark(&audited_text(&whole)).points, 100.0);
+    let (without_program, _) = whole.split_once("program:").unwrap();
+    assert_eq!(example().mark(&audited_text(without_program)).points, 80.0);
+    let (without_clamping, _) = whole.split_once("clamping:").unwrap();
+    assert_eq!(example().mark(&audited_text(without_clamping)).points, 70.0);
+}
+
+/// A plan is held to what it says it covers, unless the scheme says what the work is to cover.
+#[test]
+fn a_plan_of_a_part_has_all_points_within_its_scope() {
+    for (name, text) in super::honest::plans().into_iter().filter(|(_, text)| text.contains("\nscope: ")) {
+        let audit = super::honest::audited(&name, &text);
+        let marks = example().mark(&audit);
+        assert_eq!(marks.points, 100.0, "{name}: {marks:?}");
+        assert!(!marks.uncovered.is_empty(), "{name}");
+        let whole = MarkingScheme { scope: Some(vec![PlanPart::Holes, PlanPart::Clamping]), ..example() }.mark(&audit);
+        assert!(whole.points < 100.0 && whole.uncovered.is_empty(), "{name}: {whole:?}");
+    }
+}
+
+/// What is worth knowing costs nothing, and a doubtful choice only what the scheme asks for it.
+#[test]
+fn a_doubtful_choice_costs_what_is_asked_for_it() {
+    let audit = audited();
+    for (text, points) in [
+        ("{points: 10, missing: {}, deduct: {wrong: 0}}", 10.0),
+        ("{points: 10, missing: {}, rules: {audit-load-low: {wrong: 2}}}", 10.0),
+        ("{points: 10, missing: {}, rules: {audit-load-low: {doubtful: 1}}}", 6.0),
+        ("{points: 10, missing: {}, rules: {audit-missing: 1}}", 10.0),
+        ("{points: 10, missing: {program: 3}}", 7.0),
+        ("{points: 10}", 8.0),
+        ("{points: 10, scope: [holes, tools]}", 10.0),
+    ] {
+        assert_eq!(scheme(text).mark(&audit).points, points, "{text}");
+    }
 }

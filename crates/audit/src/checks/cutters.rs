@@ -100,7 +100,14 @@ fn need<'a>(
         if context.stated.is_own { drills } else { row.opens_main_cylinder() && operation != Operation::Tap };
     let plain = row.step.is_none() && hole.steps.is_empty();
     let reach = if required && plain { tips.tip_depth(context, at) } else { None };
-    let enters = length(Q::From).unwrap_or_default();
+    // What is not stated follows from the rows before: an edge is cut at the hole as they leave it.
+    let before = || context.stated.rows_of_hole(&hole.name).take_while(|(other, _)| *other < at);
+    let left = || {
+        let (last, _) = before().filter(|(_, other)| other.opens_main_cylinder()).last()?;
+        graph.stated_or_right(Id::new(Scope::Row(last), Q::Diameter)).map(Micrometres::from_mm_rounded)
+    };
+    let bored = || left().unwrap_or(hole.diameter.nominal);
+    let enters = length(Q::From).or_else(|| operation.is_of_edge().then(bored)).unwrap_or_default();
     let cone = hole.countersink.map(|sink| sink.angle_millideg).or(hole.cone.map(|cone| cone.angle_millideg));
     let nominal = context.bought_size(row, diameter).unwrap_or(diameter);
     CutterNeed {

@@ -3,11 +3,12 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::note::{Because, Figure, Note, Severity};
+use crate::tables::audit::PrintedNames;
 
 use super::super::context::Context;
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
-use super::super::near::{Likeness, NameMatch, likeness, plain, same_table};
+use super::super::near::{Likeness, NameMatch, away, likeness, plain, same_table};
 use super::super::quantity::Scope;
 use super::super::stated::Text;
 
@@ -21,19 +22,14 @@ pub(super) fn check<'a>(
         let about = |finding: AuditFinding| finding.about(context.subject(Scope::Tool(at)));
         let near = context.cutter_near(at);
         dimensions(context, at, findings);
-        named(
-            near,
-            |cutter| cutter.row.row,
-            tool.designation.as_ref(),
-            Section::Tools,
-            field("designation"),
-            &about,
-            findings,
-        );
+        let reported = Reported { section: Section::Tools, field: field("designation"), about: &about };
+        // A number of no catalog, with the dimensions of one that differs in a sign or two: the number is misprinted.
+        let proven = |known: &str| context.has_dimensions_of(at, known);
+        named(context, near, |cutter| cutter.row.row, tool.designation.as_ref(), &proven, &reported, findings)?;
         if let Some(cutter) = context.cutter(at) {
             let row = cutter.row.row;
             let reported = ReportedRow { row, section: Section::Tools };
-            standard(&reported, tool.standard.as_ref(), field("standard"), &about, findings);
+            standard(context, &reported, tool.standard.as_ref(), field("standard"), &about, findings)?;
             if let Some(shank) = &tool.shank
                 && shank.value != cutter.head.shank.name()
             {
@@ -58,18 +54,12 @@ pub(super) fn check<'a>(
         if context.has_machine_taper(at) {
             continue;
         }
-        named(
-            near,
-            |holder| holder.row,
-            tool.holder.as_ref(),
-            Section::Holders,
-            field("holder.designation"),
-            &about,
-            findings,
-        );
+        let reported = Reported { section: Section::Holders, field: field("holder.designation"), about: &about };
+        named(context, near, |holder| holder.row, tool.holder.as_ref(), &|_| false, &reported, findings)?;
         if let Some(holder) = context.holder(at) {
             let reported = ReportedRow { row: holder.row, section: Section::Holders };
-            standard(&reported, tool.holder_standard.as_ref(), field("holder.standard"), &about, findings);
+            let field = field("holder.standard");
+            standard(context, &reported, tool.holder_standard.as_ref(), field, &about, findings)?;
         }
     }
     Ok(())
@@ -81,49 +71,80 @@ struct ReportedRow<'k> {
     section: Section,
 }
 
-/// The finding about a designation.
+/// Where a finding on a designation stands.
+struct Reported<'f> {
+    section: Section,
+    field: String,
+    about: &'f dyn Fn(AuditFinding) -> AuditFinding,
+}
+
+/// The finding about a designation. What no catalog has cannot be checked and is not wrong, unless it is `proven` that another one is
+/// meant; a lost prefix is no other tool.
 fn named<'k, T>(
+    context: &Context<'_>,
     near: &NameMatch<T>,
     row: impl Fn(&T) -> RowRef<'k>,
     name: Option<&Text>,
-    section: Section,
-    field: String,
-    about: &dyn Fn(AuditFinding) -> AuditFinding,
+    proven: &dyn Fn(&str) -> bool,
+    reported: &Reported<'_>,
     findings: &mut Vec<AuditFinding>,
-) {
-    let Some(name) = name else { return };
-    let finding = |severity, note: Note| AuditFinding::new(severity, section, field.clone(), note).at(&name.place);
+) -> Result<(), KnowledgeError> {
+    let Some(name) = name else { return Ok(()) };
+    let finding = |severity, note: Note| {
+        AuditFinding::new(severity, reported.section, reported.field.clone(), note).at(&name.place)
+    };
     let found = match near {
-        NameMatch::Unstated | NameMatch::Found(_) => return,
+        NameMatch::Unstated | NameMatch::Found(_) => return Ok(()),
         NameMatch::Meant(found, known) => {
-            let note = Note::new("audit-designation-misprinted").with("tool", &name.value).with("known", known);
+            let (severity, code) = match printed(context, &name.value, known)? {
+                true => (Severity::Note, "audit-designation-printed"),
+                false => (Severity::Doubtful, "audit-designation-misprinted"),
+            };
+            let note = Note::new(code).with("tool", &name.value).with("known", known);
             let because = Because::row(row(found), Note::new("named"));
-            finding(Severity::Wrong, note).with_values(&name.value, known).resting_on([because])
+            finding(severity, note).with_values(&name.value, known).resting_on([because])
         }
         NameMatch::Unknown(Some(known)) => {
-            let note = Note::new("audit-designation-unknown").with("tool", &name.value).with("known", known);
-            finding(Severity::Wrong, note)
+            let code = match proven(known) {
+                true => "audit-designation-unknown",
+                false => "audit-designation-unchecked",
+            };
+            let severity = match (proven(known), away(&name.value, known)) {
+                (true, _) => Severity::Wrong,
+                // One sign of another number may be misread, or a number of another catalog.
+                (false, 0 | 1) => Severity::Doubtful,
+                (false, _) => Severity::Note,
+            };
+            finding(severity, Note::new(code).with("tool", &name.value).with("known", known))
         }
         NameMatch::Unknown(None) => {
-            finding(Severity::Wrong, Note::new("audit-designation-alien").with("tool", &name.value))
+            finding(Severity::Note, Note::new("audit-designation-alien").with("tool", &name.value))
         }
     };
-    findings.push(about(found));
+    findings.push((reported.about)(found));
+    Ok(())
+}
+
+/// Whether the textbook itself prints a name of the catalogs so.
+fn printed(context: &Context<'_>, written: &str, known: &str) -> Result<bool, KnowledgeError> {
+    let same = |row: &PrintedNames<'_>| plain(row.printed) == plain(written) && plain(row.known) == plain(known);
+    Ok(context.shop.knowledge.find(same)?.is_some())
 }
 
 /// Whether a standard belongs to the row: to its table, or to the place of the row in the source.
 fn standard(
+    context: &Context<'_>,
     reported: &ReportedRow<'_>,
     standard: Option<&Text>,
     field: String,
     about: &dyn Fn(AuditFinding) -> AuditFinding,
     findings: &mut Vec<AuditFinding>,
-) {
-    let Some(standard) = standard else { return };
+) -> Result<(), KnowledgeError> {
+    let Some(standard) = standard else { return Ok(()) };
     let place: String = plain(reported.row.place()).into_iter().collect();
     let written: String = plain(&standard.value).into_iter().collect();
     if place.contains(&written) {
-        return;
+        return Ok(());
     }
     let because = Because::row(reported.row, Note::new("named"));
     let finding =
@@ -132,7 +153,11 @@ fn standard(
         // There is nothing to compare it with.
         None => finding(Severity::Note, Note::new("audit-standard-unchecked").with("standard", &standard.value)),
         Some(right) => match likeness(&standard.value, right) {
-            Likeness::Same => return,
+            Likeness::Same => return Ok(()),
+            Likeness::Misread if printed(context, &standard.value, right)? => {
+                let note = Note::new("audit-standard-printed").with("standard", &standard.value).with("known", right);
+                finding(Severity::Note, note).with_values(&standard.value, right)
+            }
             Likeness::Misread => {
                 let note =
                     Note::new("audit-standard-misprinted").with("standard", &standard.value).with("known", right);
@@ -145,6 +170,7 @@ fn standard(
         },
     };
     findings.push(about(found.resting_on([because])));
+    Ok(())
 }
 
 /// Dimensions that do not belong to the designation but all belong to another one: then the designation is wrong.

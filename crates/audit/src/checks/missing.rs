@@ -2,6 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Note, Severity};
+use crate::tables::audit::PlanPart;
 
 use super::super::context::Context;
 use super::super::finding::{AuditFinding, MissingKeys, Section};
@@ -18,8 +19,8 @@ pub(super) fn check<'a>(
     if stated.is_own {
         return Ok(());
     }
-    let mut say = |section: &str, missing: Vec<MissingKeys>| {
-        if !missing.is_empty() {
+    let mut say = |part: PlanPart, section: &str, missing: Vec<MissingKeys>| {
+        if !missing.is_empty() && stated.covers(part) {
             let what: Vec<String> = missing.iter().map(keys_text).collect();
             let note = Note::new("audit-missing").with("section", section).with("what", what.join(", "));
             let mut finding = AuditFinding::new(Severity::Note, Section::Missing, section.to_owned(), note);
@@ -39,18 +40,18 @@ pub(super) fn check<'a>(
     for (at, row) in stated.rows.iter().enumerate() {
         let lacks = |quantity| stated.figure(Id::new(Scope::Row(at), quantity)).is_none();
         let mut own = Vec::new();
-        own.extend(row.tool.is_none().then_some("tool"));
+        own.extend((row.tool.is_none() && stated.covers(PlanPart::Tools)).then_some("tool"));
         own.extend(row.hole.is_none().then_some("hole"));
         own.extend(lacks(Q::Count).then_some("count"));
         own.extend(lacks(Q::Diameter).then_some("diameter"));
         if !own.is_empty() {
             rows.push(lack(row.number.to_string(), Scope::Row(at), own));
         }
-        if stated.conditions_of(at).is_none() {
+        if stated.conditions_of(at).is_none() && stated.covers(PlanPart::Conditions) {
             rows.push(lack(row.number.to_string(), Scope::Row(at), vec!["conditions"]));
         }
     }
-    say("route", rows);
+    say(PlanPart::Holes, "route", rows);
     let figures = |scope: Scope, quantities: &[Q]| -> Vec<&'static str> {
         let ids = quantities.iter().map(|quantity| Id::new(scope, *quantity));
         ids.filter(|id| stated.figure(*id).is_none()).map(Id::key).collect()
@@ -69,7 +70,7 @@ pub(super) fn check<'a>(
             tools.push(lack(format!("T{}", tool.number), Scope::Tool(at), own));
         }
     }
-    say("tools", tools);
+    say(PlanPart::Tools, "tools", tools);
     let mut conditions = Vec::new();
     for at in 0..stated.conditions.len() {
         let needed = [Q::DepthOfCut, Q::Feed, Q::Speed, Q::Rpm, Q::MinuteFeed, Q::Torque, Q::Power, Q::Time];
@@ -78,7 +79,7 @@ pub(super) fn check<'a>(
             conditions.push(lack((at + 1).to_string(), Scope::Conditions(at), own));
         }
     }
-    say("conditions", conditions);
+    say(PlanPart::Conditions, "conditions", conditions);
     let mut clamping = Vec::new();
     match &stated.clamping {
         None => clamping.push(missing_key("clamping")),
@@ -88,12 +89,12 @@ pub(super) fn check<'a>(
             clamping.extend(own.screw.is_none().then(|| missing_key("screw")));
         }
     }
-    say("clamping", clamping);
+    say(PlanPart::Clamping, "clamping", clamping);
     if stated.program.is_none() {
-        say("program", vec![missing_key("program")]);
+        say(PlanPart::Program, "program", vec![missing_key("program")]);
     }
     let times = figures(Scope::Times, &[Q::MachineTime, Q::RapidTime, Q::ChangeTime, Q::TotalTime]);
-    say("times", times.into_iter().map(missing_key).collect());
+    say(PlanPart::Times, "times", times.into_iter().map(missing_key).collect());
     Ok(())
 }
 

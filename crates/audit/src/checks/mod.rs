@@ -21,6 +21,7 @@ mod threads;
 mod zone;
 
 use crate::error::KnowledgeError;
+use crate::tables::audit::PlanPart;
 
 use super::context::Context;
 use super::finding::AuditFinding;
@@ -30,11 +31,11 @@ use super::roots;
 /// A kind of check; it adds its findings.
 type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<AuditFinding>) -> Result<(), KnowledgeError>;
 
-/// Every check, in the order of a report.
+/// Whether every hole is made, and finished: only of a plan that covers the route.
+const WHOLE_ROUTES: &[Check] = &[route::check, scheme::check, openings::check];
+
+/// Every other check, in the order of a report.
 const CHECKS: &[Check] = &[
-    route::check,
-    scheme::check,
-    openings::check,
     threads::check,
     depths::check,
     allowances::check,
@@ -59,7 +60,9 @@ pub(super) fn all<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
-    CHECKS.iter().try_for_each(|check| check(context, graph, findings))?;
+    // What a plan does not say it covers may be missing; what stands there is judged all the same.
+    let whole = context.stated.covers(PlanPart::Holes).then_some(WHOLE_ROUTES).unwrap_or_default();
+    whole.iter().chain(CHECKS).try_for_each(|check| check(context, graph, findings))?;
     roots::settle(findings);
     Ok(())
 }

@@ -9,6 +9,7 @@ use technolog_proof::Fault;
 
 use crate::error::KnowledgeError;
 use crate::note::Severity;
+use crate::tables::audit::PlanPart;
 
 use super::super::context::Context;
 use super::super::finding::{AuditFinding, Section};
@@ -20,8 +21,11 @@ pub(super) fn check<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
+    if context.stated.is_own || !context.stated.covers(PlanPart::Holes) {
+        return Ok(());
+    }
     // A figure that contradicts another is reported as such; a proof on top of it would mean nothing.
-    if context.stated.is_own || graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine)) {
+    if graph.verdicts().iter().any(|verdict| !matches!(verdict.status, Status::Fine)) {
         return Ok(());
     }
     let Some(holes) = stated_holes(context, graph)? else { return Ok(()) };

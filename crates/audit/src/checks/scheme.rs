@@ -110,6 +110,8 @@ impl Group<'_, '_> {
                     let note = Note::new("audit-scheme-mixed").with("stated", name).with("other", own);
                     findings.push(self.finding(Severity::Wrong, row, "scheme", note).with_values(name, own));
                 }
+            } else if self.printed(name) && self.answer.centred && self.centres() {
+                // Written as its table prints it, and carried out with the centring that the text asks for.
             } else if self.printed(name) && self.answer.centred {
                 findings.push(self.uncentred(row, name));
                 let of_scheme = table_answer::transitions(&full(name), &self.context.shop)?;
@@ -122,6 +124,20 @@ impl Group<'_, '_> {
             }
         }
         Ok(judged)
+    }
+
+    /// Whether the rows begin with centring.
+    fn centres(&self) -> bool {
+        self.stated().first() == Some(&Operation::CentreDrill)
+    }
+
+    /// Whether a stated scheme is that one, or its form without the centring that the rows have.
+    fn means(&self, stated: &str, own: &str) -> Result<bool, KnowledgeError> {
+        if same_scheme(stated, own) {
+            return Ok(true);
+        }
+        let uncentred = self.answer.centred && self.centres() && self.printed(stated);
+        Ok(uncentred && same_scheme(&table_answer::centred(&full(stated), &self.context.shop)?, own))
     }
 
     /// The cell has the scheme, but the hole is centred first: by the text, or only by the program's reading of it.
@@ -215,7 +231,7 @@ impl Group<'_, '_> {
             }
             let own = scheme.map_or(self.route.scheme.as_str(), |scheme| scheme.value.as_str());
             let other = others().find(|(_, other)| same_scheme(own, &other.scheme) && can_be(other));
-            let same = same_scheme(own, &self.route.scheme);
+            let same = self.means(own, &self.route.scheme)?;
             findings.push(match other.filter(|_| !same) {
                 Some((rank, other)) => {
                     let (severity, note) = self.dominated(rank, other)?;
@@ -266,7 +282,9 @@ impl Group<'_, '_> {
         let printed: Vec<String> = self.answer.schemes.iter().map(printed).collect::<Result<_, _>>()?;
         schemes.extend(printed.iter().map(String::as_str));
         for own in schemes {
-            if scheme.is_some_and(|scheme| !same_scheme(&scheme.value, own)) {
+            if let Some(scheme) = scheme
+                && !self.means(&scheme.value, own)?
+            {
                 continue;
             }
             let given = table_answer::transitions(&full(own), &self.context.shop)?;

@@ -7,8 +7,9 @@ use crate::knowledge::yaml::{Fields, Node, Problems, parse};
 use technolog_note::note;
 
 use super::super::finding::Section;
-use super::super::read::number;
-use super::scheme::{Deduct, SchemeFile, Section as Own, Sections};
+use super::super::read::{number, scope_of};
+use crate::tables::audit::PlanPart;
+use super::scheme::{Deduct, Missing, SchemeFile, Section as Own, Sections};
 use super::{BySeverity, MarkingScheme, SectionScheme};
 
 const SECTIONS: [(KeyOf<Sections>, Section); 9] = [
@@ -50,6 +51,8 @@ fn scheme(root: &Node, rules: &[&str], problems: &mut Problems) -> Option<Markin
     let consequences = fields.take(SchemeFile::consequences).and_then(|node| positive(node, problems)).unwrap_or(0.0);
     let sections = fields.take(SchemeFile::sections).map(|node| sections(node, problems)).unwrap_or_default();
     let named = fields.take(SchemeFile::rules).map(|node| by_rule(node, rules, problems)).unwrap_or_default();
+    let missing = fields.take(SchemeFile::missing).map(|node| missing(node, problems));
+    let scope = fields.take(SchemeFile::scope).map(|node| scope_of(node, problems));
     fields.finish(problems);
     if let (Some(node), Some(pass), Some(points)) = (pass_node, pass, points)
         && pass > points
@@ -57,7 +60,7 @@ fn scheme(root: &Node, rules: &[&str], problems: &mut Problems) -> Option<Markin
         let message = note!("planfile-nobody-passes-with-points", pass = pass, points = points);
         problems.error_help::<()>("bad-value", message, &node.place, note!("planfile-pass-at-most-points"));
     }
-    Some(MarkingScheme { name, points: points?, pass, deduct, consequences, sections, rules: named })
+    Some(MarkingScheme { name, points: points?, pass, deduct, consequences, sections, rules: named, missing, scope })
 }
 
 /// Points: a number, not below nothing.
@@ -103,7 +106,24 @@ fn sections(node: &Node, problems: &mut Problems) -> Vec<(Section, SectionScheme
     read
 }
 
-fn by_rule(node: &Node, rules: &[&str], problems: &mut Problems) -> Vec<(String, f64)> {
+fn missing(node: &Node, problems: &mut Problems) -> Vec<(PlanPart, f64)> {
+    let Some(mut fields) = problems.map(node) else { return Vec::new() };
+    let mut read = Vec::new();
+    for (key, part) in [
+        (Missing::holes, PlanPart::Holes),
+        (Missing::tools, PlanPart::Tools),
+        (Missing::conditions, PlanPart::Conditions),
+        (Missing::clamping, PlanPart::Clamping),
+        (Missing::program, PlanPart::Program),
+        (Missing::times, PlanPart::Times),
+    ] {
+        read.extend(fields.take(key).and_then(|node| positive(node, problems)).map(|points| (part, points)));
+    }
+    fields.finish(problems);
+    read
+}
+
+fn by_rule(node: &Node, rules: &[&str], problems: &mut Problems) -> Vec<(String, BySeverity)> {
     let Some(mut fields) = problems.open_map(node) else { return Vec::new() };
     let mut read = Vec::new();
     for (key, node) in fields.remaining() {
@@ -114,7 +134,14 @@ fn by_rule(node: &Node, rules: &[&str], problems: &mut Problems) -> Vec<(String,
             };
             problems.error_help::<()>("unknown-rule", note!("planfile-no-rule", key = key.text), &key.place, help);
         }
-        read.extend(positive(node, problems).map(|points| (key.text.clone(), points)));
+        let points = match node.text() {
+            Some(_) => {
+                let points = positive(node, problems);
+                BySeverity { error: points, wrong: points, doubtful: points, note: None }
+            }
+            None => deductions(node, problems),
+        };
+        read.push((key.text.clone(), points));
     }
     read
 }

@@ -3,8 +3,11 @@
 
 use std::collections::BTreeMap;
 
-use schemars::{Schema, schema_for};
+use schemars::{JsonSchema, Schema, schema_for};
+use serde::Deserialize;
 use technolog_knowledge::forms;
+
+use super::super::file::ScopeOf;
 
 /// The JSON Schema of a scheme file.
 pub fn schema() -> Schema {
@@ -29,8 +32,34 @@ forms! {
         pub consequences: Option<f64>,
         /// What is special about a section of the audit.
         pub sections: Option<Sections>,
-        /// Points off by the id of the rule or check, as findings name it in JSON.
-        pub rules: Option<BTreeMap<String, f64>>,
+        /// Points off by the id of the rule or check, as findings name it in JSON: a number is for whatever is more than a note.
+        pub rules: Option<BTreeMap<String, OfRule>>,
+        /// Points off for a part of the plan that is missing; else shares of the points that leave an empty plan with none.
+        pub missing: Option<Missing>,
+        /// What the work is to cover: `holes`, `tools`, `conditions`, `clamping`, `program`, `times`; else what each plan says of itself.
+        pub scope: Option<ScopeOf>,
+    }
+
+    /// Parts of a plan.
+    pub struct Missing {
+        /// The route of every group of holes.
+        #[schemars(range(min = 0))]
+        pub holes: Option<f64>,
+        /// Tools and holders.
+        #[schemars(range(min = 0))]
+        pub tools: Option<f64>,
+        /// Cutting conditions.
+        #[schemars(range(min = 0))]
+        pub conditions: Option<f64>,
+        /// The clamping.
+        #[schemars(range(min = 0))]
+        pub clamping: Option<f64>,
+        /// The program.
+        #[schemars(range(min = 0))]
+        pub program: Option<f64>,
+        /// Times.
+        #[schemars(range(min = 0))]
+        pub times: Option<f64>,
     }
 
     /// Points off by severity.
@@ -89,6 +118,16 @@ forms! {
         #[schemars(range(min = 0))]
         pub at_most: Option<f64>,
     }
+}
+
+/// Points off for a rule.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OfRule {
+    /// For errors, wrong and doubtful findings alike.
+    Points(f64),
+    /// By severity.
+    BySeverity(Deduct),
 }
 
 #[cfg(test)]

@@ -19,6 +19,7 @@ use technolog_note::note;
 use super::file::{self, PlanFile};
 use super::stated::{Figures, Program, Stated, StatedValue, Text};
 use super::tolerance::Tolerances;
+use crate::tables::audit::PlanPart;
 
 /// Reads the files that a plan names, relative to it. An error is the reason.
 pub type Files<'a> = &'a dyn Fn(&str) -> Result<String, String>;
@@ -117,6 +118,28 @@ fn read_tree(
     }
 }
 
+/// The parts of a plan that a key `scope` names: one, or a list.
+pub(super) fn scope_of(node: &Node, problems: &mut Problems) -> Vec<PlanPart> {
+    let items = match node.text() {
+        Some(_) => std::slice::from_ref(node),
+        None => problems.list(node).unwrap_or_default(),
+    };
+    let mut parts = Vec::new();
+    for item in items {
+        parts.extend(problems.text(item).map(str::to_owned).and_then(|text| part_of_plan(&text, item, problems)));
+    }
+    parts
+}
+
+fn part_of_plan(text: &str, node: &Node, problems: &mut Problems) -> Option<PlanPart> {
+    let known = PlanPart::NAMES.iter().find(|(name, _)| *name == text).map(|(_, part)| *part);
+    known.or_else(|| {
+        let names: Vec<&str> = PlanPart::NAMES.iter().map(|(name, _)| *name).collect();
+        let help = note!("part-may", names = names.join(", "));
+        problems.error_help("bad-value", note!("part-known-here", text = text), &node.place, help)
+    })
+}
+
 /// Reads one plan file.
 struct Reader<'a> {
     knowledge: &'a Knowledge,
@@ -137,6 +160,7 @@ impl Reader<'_> {
         let cutting = fields.take(PlanFile::cutting);
         let method = cutting
             .and_then(|node| self.choice(node, &[("formula", CuttingMethod::Formula), ("card", CuttingMethod::Card)]));
+        let scope = fields.take(PlanFile::scope).map(|node| scope_of(node, &mut self.problems));
         let route = fields.take(PlanFile::route);
         let tools = fields.take(PlanFile::tools);
         let conditions = fields.take(PlanFile::conditions);
@@ -169,6 +193,7 @@ impl Reader<'_> {
             file: self.file.to_owned(),
             part,
             method: method.unwrap_or_default(),
+            scope,
             is_own: false,
             tree: None,
             rows,

@@ -2,10 +2,12 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
+use crate::tables::audit::AuditClampingFor;
 use crate::tables::materials::{Clamping, ClampingConstant};
 
 use super::super::context::Context;
-use super::super::graph::{Graph, Rule};
+use super::super::figures::nature;
+use super::super::graph::{Graph, Judge, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::conditions::torque_of_power;
 use super::{equal_figures, fixed_figure, formula, largest};
@@ -61,7 +63,9 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let value = row.maximum;
         let because = Because::row(row.row, Note::new(name.name()).with("value", value));
         if quantity != Q::Clamps {
-            graph.add(fixed_figure(&CONSTANT, id(quantity), value, [because]));
+            let mut constant = fixed_figure(&CONSTANT, id(quantity), value, [because]);
+            constant.judge = (!stated.is_own).then(|| other_constant(context, quantity, value));
+            graph.add(constant);
             continue;
         }
         let mut two = fixed_figure(&CLAMPS, id(quantity), value, [because]);
@@ -89,4 +93,18 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     let each = |values: &[f64]| Some(values.first()? / values.get(1)?.max(1.0));
     graph.add(formula(&EACH, id(Q::ForcePerClamp), vec![id(Q::ClampForce), id(Q::Clamps)], "{0}/{1}", each));
     Ok(())
+}
+
+/// A factor or friction other than the textbook's: handbooks of fixtures have others, by the rule `audit-clamping`.
+fn other_constant<'a>(context: &'a Context<'a>, quantity: Q, of_book: f64) -> Judge<'a> {
+    Box::new(move |value, _| {
+        if (value - of_book).abs() < 1e-9 {
+            return None;
+        }
+        let question = |of_table| AuditClampingFor { quantity, of_table };
+        let (_, asked) = context.by_share(value / of_book, question).ok()?;
+        let severity = asked.winner().ok()??.severity;
+        let code = if severity == Severity::Doubtful { "audit-clamping-other" } else { nature(value, of_book).code() };
+        Some((severity, Note::new(code).with("value", of_book)))
+    })
 }

@@ -3,6 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note, Severity};
 use crate::plan::Operation;
+use crate::tables::audit::AuditOverhangFor;
 use crate::tables::tools::CutterRow;
 use crate::tooling::named;
 use crate::units::Micrometres;
@@ -133,9 +134,15 @@ fn overhang<'a>(
     let (least, most) = (least.to_mm(), most.to_mm());
     let mut formula = fixed_figure(&OVERHANG, Id::new(Scope::Tool(at), Q::Overhang), most, [because]);
     formula.judge = Some(Box::new(move |value, _| {
-        let within = (least - 1e-6..=most + 1e-6).contains(&value);
+        if (least - 1e-6..=most + 1e-6).contains(&value) {
+            return None;
+        }
         let note = Note::new("audit-overhang").with("least", least).with("most", most);
-        (!within).then_some((Severity::Wrong, note))
+        // Typed lengths may be anything; beyond a metre nothing is distinguished.
+        let excess = if value < least { value - least } else { value - most };
+        let excess = Micrometres::from_mm_rounded(excess.clamp(-1000.0, 1000.0));
+        let rule = context.shop.knowledge.ask(&AuditOverhangFor { excess }).ok()?.winner().ok()??;
+        Some((rule.severity, note))
     }));
     graph.add(formula);
     Ok(())

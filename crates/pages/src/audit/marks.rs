@@ -30,6 +30,15 @@ pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
         text("audit-column-about"),
         text("audit-column-ground").keep(Keep::Optional),
     ]);
+    for one in &marks.missing {
+        table.row([
+            Inlines::number(figure(&format!("-{}", one.points), lang)),
+            Inlines::default(),
+            Inlines::default(),
+            Inlines::sentence(&say!(lang, "audit-part-missing", part = part(one.part, lang), percent = number(one.percent))),
+            lang.word("audit-by-missing").into(),
+        ]);
+    }
     // The deductions have the order of the findings, one for each.
     for (one, finding) in marks.deductions.iter().zip(&audit.findings).filter(|(deduction, _)| deduction.points > 0.0) {
         table.row([
@@ -49,10 +58,26 @@ pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
     counts.extend((capped > 0).then(|| say!(lang, "audit-free-capped", count = capped)));
     counts.extend((other > 0).then(|| say!(lang, "audit-free-other", count = other)));
     table.notes.push(lang.word("audit-marks-legend").into());
+    if !marks.uncovered.is_empty() {
+        let parts = marks.uncovered.iter().map(|name| part(name, lang)).collect::<Vec<_>>();
+        table.notes.push(say!(lang, "audit-not-covered", parts = parts.join(", ")).into());
+    }
     if !counts.is_empty() {
         table.notes.push(say!(lang, "audit-free", counts = counts.join(", ")).into());
     }
     table
+}
+
+/// What a part of a plan is called.
+fn part(name: &str, lang: Lang) -> &'static str {
+    lang.word(match name {
+        "holes" => "audit-part-holes",
+        "tools" => "audit-part-tools",
+        "conditions" => "audit-part-conditions",
+        "clamping" => "audit-part-clamping",
+        "program" => "audit-part-program",
+        _ => "audit-part-times",
+    })
 }
 
 /// The entry of the scheme that gives a deduction.

@@ -1,0 +1,43 @@
+//! Plans of other hands, worked out by the textbook's methods without a look at ours (tests/audit-honest): nothing in them is an error or
+//! wrong. What an audit cannot prove it must not say.
+
+use std::path::{Path, PathBuf};
+
+use technolog::audit::{Audit, read_plan};
+use technolog_testing::{AUDITOR, KNOWLEDGE};
+
+pub(super) fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/audit-honest")
+}
+
+/// The audit of a plan that stands in that folder.
+pub(super) fn audited(name: &str, text: &str) -> Audit {
+    let files = |name: &str| std::fs::read_to_string(folder().join(name)).map_err(|error| error.to_string());
+    let stated = read_plan(name, text, &KNOWLEDGE, &files).unwrap_or_else(|why| panic!("{name}: {why:?}"));
+    AUDITOR.audit(&stated).unwrap()
+}
+
+/// Every plan of the folder with its name.
+pub(super) fn plans() -> Vec<(String, String)> {
+    let mut plans: Vec<(String, String)> = std::fs::read_dir(folder())
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|end| end == "yaml"))
+        .map(|path| (path.file_name().unwrap().to_string_lossy().into_owned(), std::fs::read_to_string(path).unwrap()))
+        .collect();
+    plans.sort();
+    plans
+}
+
+#[test]
+fn no_honest_plan_is_blamed() {
+    let plans = plans();
+    assert!(plans.len() >= 24, "{}", plans.len());
+    let mut blamed = Vec::new();
+    for (name, text) in &plans {
+        let audit = audited(name, text);
+        let grave = audit.findings.iter().filter(|finding| finding.is_wrong());
+        blamed.extend(grave.map(|one| format!("{name}: {:?} {} {} {:?}", one.severity, one.rule, one.field, one.stated)));
+    }
+    assert_eq!(blamed, [""; 0]);
+}
