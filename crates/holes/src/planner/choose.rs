@@ -1,7 +1,8 @@
 //! Chooses the routes of all groups together, in the documented order of routes.
 //!
 //! A route that reaches grade, roughness and position is preferred to one that does not, and one that reaches them
-//! ordinarily to one that reaches them only at best. Then these decide, in turn: the total time, with the tool
+//! ordinarily to one that reaches them only at best, and one that finishes more of the wall over a flat floor to one that
+//! finishes less. Then these decide, in turn: the total time, with the tool
 //! changes the route adds; the magazine places it adds; the source of the route (tables, complexes, search) and the
 //! names. So the order is total and does not depend on the order of the file. Cost is time multiplied by the
 //! machine's rate, so it never decides alone.
@@ -46,6 +47,8 @@ struct Rank {
     misses: bool,
     /// The number of requirements that the route reaches only at best.
     at_best: usize,
+    /// What it leaves unfinished over a flat floor.
+    over_floor: Micrometres,
     /// Magazine places, which count before time while the magazine overflows.
     crowding: usize,
     /// Time, millionths of a minute.
@@ -298,6 +301,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             other_way: self.other_way(group, choice),
             misses: !choice.meets_requirements(),
             at_best: choice.at_best.len(),
+            over_floor: choice.over_floor(),
             crowding: if self.crowded { new_tools } else { 0 },
             time: micro(self.time(group, index, choice).0),
             new_tools,
