@@ -92,7 +92,7 @@ pub fn plan_by(
         points.sort_unstable();
         (hole.diameter.nominal, grade, roughness, hole.depth, points, &hole.name)
     });
-    let mut chooser = Chooser::new(part, preference, &shop);
+    let mut chooser = Chooser::new(part, preference, &shop)?;
     for &index in &order {
         let hole = &part.holes[index];
         match Refusal::split(options::options(hole, part, preference, (&chooser.drills(), &drills), &shop))? {

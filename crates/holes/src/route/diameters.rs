@@ -63,8 +63,9 @@ impl Sizes<'_> {
 /// # Errors
 /// The knowledge base has no answer. Where no diameters fit, the refusal says why.
 pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<RouteStep>> {
-    let Finished { mut after, slack, because: left, elsewhere } = finished(candidate, bore, sizes, shop)?;
     let (transitions, replaced) = milled(&candidate.transitions, bore, sizes, shop)?;
+    let Finished { mut after, slack, because: left, elsewhere } =
+        finished(candidate, transitions.last().copied(), bore, sizes, shop)?;
     let mut steps: Vec<RouteStep> = Vec::new();
     let (after_here, mut bored_elsewhere) = (after, Vec::new());
     for index in (0..transitions.len()).rev() {
@@ -150,6 +151,7 @@ fn milled(
 /// (rule `stock-for-elsewhere`), with the transitions of that machine; for a thread its own diameter.
 fn finished(
     candidate: &Candidate,
+    last: Option<Operation>,
     bore: &Bore,
     sizes: &Sizes<'_>,
     shop: &Shop<'_>,
@@ -160,8 +162,8 @@ fn finished(
     }
     let target = shop.aimed(&bore.diameter)?;
     if !candidate.finish_elsewhere {
-        return match candidate.transitions.last() {
-            Some(last) => sizes.last_size(*last, bore, shop).map(here),
+        return match last {
+            Some(last) => sizes.last_size(last, bore, shop).map(here),
             None => Ok(here(target)),
         };
     }
