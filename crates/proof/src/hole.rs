@@ -113,19 +113,13 @@ impl Walk<'_, '_> {
         if transition.operation == Operation::Tap {
             return Ok(());
         }
-        // An end mill that only levels a floor leaves the cylinder as it is, and opens it down to the floor.
-        if levels(transition) {
-            if let Some(state) = self.states.get_mut(&place) {
-                state.depth = state.depth.max(transition.depth_mm);
-            }
-            return Ok(());
-        }
-        let follows: Vec<&Transition> = self.transitions[at + 1..]
+        let last = !self.transitions[at + 1..]
             .iter()
             .filter(|next| CylinderId::of(next) == Some(place) && next.operation != Operation::Tap)
-            .filter(|next| next.from_diameter_mm != next.diameter_mm)
-            .collect();
-        let last = follows.is_empty();
+            .any(|next| next.from_diameter_mm != next.diameter_mm);
+        if levels(transition) {
+            return self.wall_over_floor(transition, place, &required, last);
+        }
         let method = MethodKey {
             operation: transition.operation,
             centred: self.centred,
@@ -145,6 +139,33 @@ impl Walk<'_, '_> {
         if last && !transition.elsewhere {
             self.finished(transition, &required, reach, state, width)?;
             self.springs(transition, &required, before)?;
+        }
+        self.states.insert(place, state);
+        Ok(())
+    }
+
+    /// An end mill that only levels a floor leaves the cylinder as it is down to where the tools before it ended. Below that it
+    /// makes the wall itself, in one cut without a finishing round: as wide and as rough as roughing mills do.
+    fn wall_over_floor(
+        &mut self,
+        transition: &Transition,
+        place: CylinderId,
+        required: &CylinderRequirements<'_>,
+        last: bool,
+    ) -> Result<(), KnowledgeError> {
+        let Some(mut state) = self.states.get(&place).copied() else { return Ok(()) };
+        if transition.depth_mm <= state.depth {
+            return Ok(());
+        }
+        state.depth = transition.depth_mm;
+        let method =
+            MethodKey { operation: transition.operation, centred: self.centred, made_by: state.made_by, last: false };
+        if let Some(reach) = Reach::of(method, transition.diameter_mm, self.shop)? {
+            let width = reach.width(transition.diameter_mm, self.shop).unwrap_or_default();
+            state.largest = state.largest.max(transition.diameter_mm + width);
+            if last && !transition.elsewhere {
+                self.finished(transition, required, reach, State { axis: None, ..state }, width)?;
+            }
         }
         self.states.insert(place, state);
         Ok(())

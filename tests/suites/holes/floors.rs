@@ -167,3 +167,27 @@ fn a_wide_edge_is_gone_round_by_a_countersink() {
         without_errors(self::plan("steel-45", "40", keys), keys);
     }
 }
+
+/// Over a flat floor a core drill ends where the cone of its drill begins: of Ø30 × 10 it makes 1.6 mm, and a mill that levels the
+/// floor the rest, in one rough cut. That is IT12 at best, so that no wall of a finer grade may end with it.
+#[test]
+fn no_wall_of_a_fine_grade_ends_with_the_mill_that_levels_its_floor() {
+    for (diameter, roughness, depth) in
+        [("30H11", "Ra 6.3", 10.0), ("30H9", "Ra 3.2", 10.0), ("30H7", "Ra 1.6", 10.0), ("24H11", "Ra 6.3", 8.0)]
+    {
+        let plan = flat("steel-45", diameter, roughness, depth);
+        let levels = |step: &technolog::plan::Transition| {
+            step.operation == Operation::Mill && step.from_diameter_mm == step.diameter_mm
+        };
+        let last = steps(&plan).last().unwrap();
+        assert!(!levels(last), "{diameter}: {:?}", steps(&plan));
+    }
+}
+
+/// Recesses that were refused, and one of which a reamer left 0.7 of 2 mm: a slot mill goes down and round, and finishes them.
+#[test]
+fn shallow_recesses_are_milled_to_the_floor() {
+    let short = flat("steel-45", "12H12", "Ra 6.3", 2.0);
+    assert_eq!(steps(&short).last().unwrap().operation, Operation::Mill);
+    flat("steel-45", "50H12", "Ra 6.3", 5.0);
+}

@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 use crate::note::{Because, Finding, Severity};
 use crate::part::{Face, Part, Point};
 use crate::units::{
-    Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres, Newtons,
-    RevsPerMinute,
+    ItGrade, Kilowatts, MetresPerMinute, Micrometres, MillimetresPerMinute, MillimetresPerRev, Minutes, NewtonMetres,
+    Newtons, RevsPerMinute,
 };
 
 mod magazine;
@@ -315,6 +315,9 @@ pub struct ToolPlan {
     /// The diameter of the catalog that it is ground down from, mm; absent if it is used as it is bought.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ground_from_mm: Option<Micrometres>,
+    /// The grade of the field H that a finishing reamer is bought for; absent for other tools.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bought_for_h: Option<ItGrade>,
     /// The holder's designation.
     pub holder: String,
     /// The holder's table.

@@ -1,7 +1,8 @@
 //! Chooses the routes of all groups together, in the documented order of routes.
 //!
 //! A route that reaches grade, roughness and position is preferred to one that does not, and one that reaches them
-//! ordinarily to one that reaches them only at best. Then these decide, in turn: the total time, with the tool
+//! ordinarily to one that reaches them only at best, and one that a bar or a mill finishes down to a flat floor to one whose
+//! reamer ends higher. Then these decide, in turn: the total time, with the tool
 //! changes the route adds; the magazine places it adds; the source of the route (tables, complexes, search) and the
 //! names. So the order is total and does not depend on the order of the file. Cost is time multiplied by the
 //! machine's rate, so it never decides alone.
@@ -16,10 +17,12 @@ pub(super) use compared::ComparedRoutes;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::error::KnowledgeError;
 use crate::note::Figure;
 use crate::part::Part;
 use crate::plan::{Operation, Preference, RouteSource};
 use crate::shop::Shop;
+use crate::tables::holes::HoleDefault;
 use crate::units::{Micrometres, Minutes};
 
 use super::fit::Fitted;
@@ -46,6 +49,8 @@ struct Rank {
     misses: bool,
     /// The number of requirements that the route reaches only at best.
     at_best: usize,
+    /// It leaves more unfinished over a flat floor than bars do: reamers end higher, by their lead.
+    over_floor: bool,
     /// Magazine places, which count before time while the magazine overflows.
     crowding: usize,
     /// Time, millionths of a minute.
@@ -74,18 +79,25 @@ pub(super) struct Chooser<'a, 'k> {
     used: Vec<usize>,
     shop: &'a Shop<'k>,
     change: f64,
+    /// How far above a flat floor a bar stops.
+    bar_gap: Micrometres,
     crowded: bool,
     preference: Preference,
 }
 
 impl<'a, 'k> Chooser<'a, 'k> {
-    pub fn new(part: &Part, preference: Preference, shop: &'a Shop<'k>) -> Self {
+    /// Nothing chosen yet.
+    ///
+    /// # Errors
+    /// The conventions lack the gap over a flat floor.
+    pub fn new(part: &Part, preference: Preference, shop: &'a Shop<'k>) -> Result<Self, KnowledgeError> {
+        let bar_gap = shop.convention(HoleDefault::FlatFloorGap)?;
         let groups = part.holes.len();
         // A tool change takes the table to the change position and back (textbook 5.2 item 11.1).
         let middle = part.middle();
         let away = crate::sequence::tool_change_point(part, &shop.machine).distance(middle);
         let change = shop.machine.tool_change.0 + 2.0 * away.to_mm() / shop.machine.rapid.0;
-        Self {
+        Ok(Self {
             options: (0..groups).map(|_| None).collect(),
             chosen: vec![None; groups],
             tools: vec![Vec::new(); groups],
@@ -94,9 +106,10 @@ impl<'a, 'k> Chooser<'a, 'k> {
             used: Vec::new(),
             shop,
             change,
+            bar_gap,
             crowded: false,
             preference,
-        }
+        })
     }
 
     /// Adds a group with its best route for the tools chosen so far.
@@ -298,6 +311,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             other_way: self.other_way(group, choice),
             misses: !choice.meets_requirements(),
             at_best: choice.at_best.len(),
+            over_floor: choice.over_floor() > self.bar_gap,
             crowding: if self.crowded { new_tools } else { 0 },
             time: micro(self.time(group, index, choice).0),
             new_tools,

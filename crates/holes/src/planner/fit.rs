@@ -371,8 +371,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let other = step.elsewhere.then(|| self.shop.without_limits());
         let shop = other.as_ref().unwrap_or(self.shop);
         let (travel, reach) = self.travel(step);
-        // The reach of a tap on another machine is not known either.
-        let reach = if step.elsewhere { Micrometres::ZERO } else { reach };
+        // What bars and reamers another machine has is not known; a tap is bought by the standard whatever machine drives it.
+        let unknown = step.elsewhere && step.operation != Operation::Tap;
+        let reach = if unknown { Micrometres::ZERO } else { reach };
         if step.operation == Operation::Mill {
             self.round_enough(step)?;
         }

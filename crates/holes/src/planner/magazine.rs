@@ -8,7 +8,7 @@ use crate::part::{Face, Part};
 use crate::plan::{HolePlan, Operation, ToolPlan, Transition};
 use crate::shop::Shop;
 use crate::tooling::{self, CutterNeed};
-use crate::units::{Micrometres, round_to};
+use crate::units::{ItGrade, Micrometres, round_to};
 
 use super::HoleDraft;
 use super::fit::{Fitted, FittedTool, Fitting, widest_spot};
@@ -95,6 +95,13 @@ fn same_tool(a: &FittedTool, b: &FittedTool) -> bool {
         && a.assembly.holder == b.assembly.holder
 }
 
+/// The finest grade of the fields H that a tool is bought for in the holes it finishes; tools of other sizes are other tools.
+fn bought_for(tool: &FittedTool, drafts: &[HoleDraft]) -> Option<ItGrade> {
+    let made = drafts.iter().flat_map(|draft| &draft.steps).filter(|fitted| !fitted.step.elsewhere);
+    let own = made.filter(|fitted| fitted.tool.as_ref().is_some_and(|known| same_tool(known, tool)));
+    own.filter_map(|fitted| fitted.step.bought_for).min().filter(|_| tool.ground_from.is_none())
+}
+
 /// Numbers the tools in the order in which the holes need them, and computes their corrections.
 pub(super) fn number_tools(
     part: &Part,
@@ -141,6 +148,7 @@ pub(super) fn number_tools(
             table: tool.table.clone(),
             diameter_mm: tool.size,
             ground_from_mm: tool.ground_from,
+            bought_for_h: bought_for(tool, &drafts),
             holder: tool.assembly.holder.clone(),
             holder_table: tool.assembly.holder_table.clone(),
             overhang_mm: tool.assembly.overhang,

@@ -6,6 +6,7 @@
 //! share tools (`choose`). At last the tools of the whole part are collected (`magazine`).
 //!
 //! - `options`: the routes of a group; `sources`: how routes are found, tried and filed;
+//! - `nearest`: the depth at which a hole that nothing makes can be made;
 //! - `whole`: the steps of a whole hole for one candidate; `step_drill`: hole and opening by one drill;
 //! - `fit`: cutter, holder and conditions of each step, with `fit/centring` and `fit/reach`.
 
@@ -13,6 +14,7 @@ mod choose;
 mod fit;
 mod magazine;
 mod names;
+mod nearest;
 mod options;
 mod sources;
 mod step_drill;
@@ -90,11 +92,16 @@ pub fn plan_by(
         points.sort_unstable();
         (hole.diameter.nominal, grade, roughness, hole.depth, points, &hole.name)
     });
-    let mut chooser = Chooser::new(part, preference, &shop);
+    let mut chooser = Chooser::new(part, preference, &shop)?;
     for &index in &order {
         let hole = &part.holes[index];
         match Refusal::split(options::options(hole, part, preference, (&chooser.drills(), &drills), &shop))? {
-            Ok(options) => chooser.add(index, options),
+            Ok(mut options) => {
+                if options.choices.is_empty() && options.impossible.is_empty() {
+                    options.nearest = nearest::depth(hole, part, preference, (&chooser.drills(), &drills), &shop)?;
+                }
+                chooser.add(index, options);
+            }
             Err(why) => findings.push(Finding::of_hole(Severity::Error, &hole.name, why.note())),
         }
     }
@@ -179,6 +186,9 @@ fn draft(
             };
             report(Severity::Error, note);
         }
+        if let Some(nearest) = &options.nearest {
+            report(Severity::Note, nearest.clone());
+        }
         return Ok(HoleDraft { route: None, steps: Vec::new() });
     };
     let steps = choice.steps.clone();
@@ -212,7 +222,9 @@ fn draft(
                 let it = own.map_or(hole.diameter.it, |own| own.diameter.it);
                 let much = step.leaves_unfinished(it, shop)?.is_some();
                 let severity = if much { Severity::Wrong } else { Severity::Doubtful };
-                let note = Note::new("ends-above-floor").with("left", left).with("diameter", step.diameter);
+                let main = (step.place.feature == Feature::Bore).then_some(&hole.diameter);
+                let cylinder = own.map(|own| &own.diameter).or(main).map_or(step.diameter, |own| own.nominal);
+                let note = Note::new("ends-above-floor").with("left", left).with("diameter", cylinder);
                 report(severity, note.with("depth", depth));
             }
             Remark::BoughtFor { nominal, it } => {

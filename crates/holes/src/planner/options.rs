@@ -13,7 +13,7 @@ use crate::route::auxiliary::{self, AuxiliaryKind};
 use crate::route::bores::{self, Task};
 use crate::route::diameters::Sizes;
 use crate::route::scheme::{self, SchemeQuestion};
-use crate::route::{Candidate, RouteStep, accuracy, openings};
+use crate::route::{Candidate, Remark, RouteStep, accuracy, openings};
 use crate::shop::Shop;
 use crate::tables::holes::{HoleDefault, StagedHole};
 use crate::tables::rules::{BoringAsked, BoringForPositionFor, ToolTables};
@@ -49,6 +49,18 @@ impl Choice {
     /// Whether the route holds grade, roughness and position.
     pub fn meets_requirements(&self) -> bool {
         self.misses.is_empty()
+    }
+
+    /// How much of the main cylinder it leaves unfinished above a flat floor.
+    pub fn over_floor(&self) -> Micrometres {
+        let main = self.steps.iter().map(|fitted| &fitted.step).filter(|step| step.place.feature == Feature::Bore);
+        main.flat_map(|step| &step.remarks)
+            .filter_map(|remark| match remark {
+                Remark::EndsAboveFloor(left) => Some(*left),
+                _ => None,
+            })
+            .max()
+            .unwrap_or_default()
     }
 }
 
@@ -101,6 +113,8 @@ pub(super) struct Options {
     pub doubtful: Vec<Note>,
     /// What cannot be done, where the drawing does not require it.
     pub remarks: Vec<Note>,
+    /// Where no route can be carried out: the nearest depth at which one can.
+    pub nearest: Option<Note>,
 }
 
 impl Options {
@@ -283,7 +297,10 @@ impl Finder<'_, '_> {
     fn exclude_by_boring_rule(&self, options: &mut Options) -> Result<(), KnowledgeError> {
         let boring = self.boring_required()?;
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
-        let stands_back = |choice: &Choice| choice.candidate.source != RouteSource::Tables && bores(choice) != boring;
+        // Nor with what goes down to a flat floor: a bar finishes more of the wall there than a reamer with its lead.
+        let floor = self.task.main.flat && !boring;
+        let stands_back =
+            |choice: &Choice| !floor && choice.candidate.source != RouteSource::Tables && bores(choice) != boring;
         options.not_bored = !boring && self.close()?;
         // The text compares boring with drills, core drills and reamers: beside a mill, time decides.
         let mills = |choice: &Choice| {

@@ -47,13 +47,25 @@ pub struct Sizes<'a> {
     pub level_floor: bool,
 }
 
+impl Sizes<'_> {
+    /// The diameter that a transition leaves where it is the last: where no bar enters, another tool bores in its place.
+    ///
+    /// # Errors
+    /// The knowledge base has no answer.
+    pub fn last_size(&self, operation: Operation, bore: &Bore, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
+        let enters = bore.diameter.nominal >= self.smallest_bore;
+        if enters { shop.aimed_by(operation, &bore.diameter) } else { shop.aimed(&bore.diameter) }
+    }
+}
+
 /// The steps of a candidate for a cylinder, first to last; centring gets its spot later, when the drill is known.
 ///
 /// # Errors
 /// The knowledge base has no answer. Where no diameters fit, the refusal says why.
 pub fn steps(candidate: &Candidate, bore: &Bore, sizes: &Sizes<'_>, shop: &Shop<'_>) -> Tried<Vec<RouteStep>> {
-    let Finished { mut after, slack, because: left, elsewhere } = finished(candidate, bore, shop)?;
     let (transitions, replaced) = milled(&candidate.transitions, bore, sizes, shop)?;
+    let Finished { mut after, slack, because: left, elsewhere } =
+        finished(candidate, transitions.last().copied(), bore, sizes, shop)?;
     let mut steps: Vec<RouteStep> = Vec::new();
     let (after_here, mut bored_elsewhere) = (after, Vec::new());
     for index in (0..transitions.len()).rev() {
@@ -137,14 +149,23 @@ fn milled(
 
 /// The diameter where the route ends: that of the cylinder, or less by the stock for finishing on another machine
 /// (rule `stock-for-elsewhere`), with the transitions of that machine; for a thread its own diameter.
-fn finished(candidate: &Candidate, bore: &Bore, shop: &Shop<'_>) -> Result<Finished, KnowledgeError> {
+fn finished(
+    candidate: &Candidate,
+    last: Option<Operation>,
+    bore: &Bore,
+    sizes: &Sizes<'_>,
+    shop: &Shop<'_>,
+) -> Result<Finished, KnowledgeError> {
     let here = |after| Finished { after, slack: None, because: None, elsewhere: Vec::new() };
     if let (Some(thread), Some(Operation::Tap)) = (&bore.thread, candidate.transitions.last()) {
         return Ok(here(thread.size));
     }
     let target = shop.aimed(&bore.diameter)?;
     if !candidate.finish_elsewhere {
-        return Ok(here(target));
+        return match last {
+            Some(last) => sizes.last_size(last, bore, shop).map(here),
+            None => Ok(here(target)),
+        };
     }
     let rule = shop.knowledge.ask(&StockForElsewhereFor { diameter: target })?.need("this diameter")?;
     let (mut after, mut slack, mut elsewhere) = (target, Micrometres::ZERO, Vec::new());

@@ -87,6 +87,8 @@ pub struct RouteStep {
     pub diameter: Micrometres,
     /// The size of the catalog's cutter, where it is ground to another size.
     pub nominal: Micrometres,
+    /// The grade of the field H whose cutter is bought for it, where a reamer finishes with its own size.
+    pub bought_for: Option<ItGrade>,
     /// The diameter before it; zero in solid metal.
     pub from: Micrometres,
     /// The hole that its cutter can enter, where that is not the one it widens: a mill finishes what it has roughed itself.
@@ -169,6 +171,7 @@ impl RouteStep {
             place,
             diameter,
             nominal: diameter,
+            bought_for: None,
             from,
             entered: None,
             passes: 1,

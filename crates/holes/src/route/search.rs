@@ -99,7 +99,13 @@ pub fn candidates(bore: &Bore, sizes: &Sizes<'_>, cost: &Cost<'_>, shop: &Shop<'
     }
     routes.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
     routes.dedup_by(|a, b| a.1 == b.1);
+    // Over a flat floor the quickest that ends with a mill is kept, too: only a mill finishes the wall down to the floor.
+    let milled = |(_, operations, _): &Found| operations.last() == Some(&Operation::Mill);
+    let to_floor = if bore.flat { routes.iter().skip(MOST).find(|found| milled(found)).cloned() } else { None };
     routes.truncate(MOST);
+    if !routes.iter().any(milled) {
+        routes.extend(to_floor);
+    }
     if routes.is_empty() {
         return Err(Refusal::Not(most_informative(graph.failed, bore)));
     }
@@ -222,8 +228,9 @@ impl<'a, 'k> Graph<'a, 'k> {
 
     /// Adds the edges of a row that lead into a node, and what leads to their beginnings.
     fn enter(&mut self, node: NodeIndex, row: &NextTransition<'_>, last: bool) -> Tried<()> {
-        let after = self.states[node].diameter;
         let operation = row.operation;
+        let after =
+            if last { self.sizes.last_size(operation, self.bore, self.shop)? } else { self.states[node].diameter };
         for at in 0..self.states_before.len() {
             let (state, previous) = self.states_before[at];
             // Solid metal is drilled without centring only where the rule permits it.

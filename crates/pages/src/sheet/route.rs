@@ -3,7 +3,7 @@
 
 use crate::document::{Align, Block, Column, Document, Field, Inlines, Item, Keep, Table};
 use crate::note::{Figure, IntoFigure, Note};
-use crate::part::{Face, Hole};
+use crate::part::{Face, Hole, ToleratedDiameter};
 use crate::plan::{Achieved, Alternative, Feature, HolePlan, Operation, Plan, Route, RouteSource, Stop, Transition};
 use crate::units::Micrometres;
 
@@ -103,10 +103,15 @@ pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
 
 /// Whether a transition reaches that size, so that its own diameter need not be printed.
 pub(crate) fn finishes(hole: &Hole, transition: &Transition) -> bool {
+    let own = cylinder(hole, transition).is_some_and(|own| own.nominal == transition.diameter_mm);
+    transition.operation == Operation::Tap || own
+}
+
+/// The diameter of the cylinder that a transition works on, by the drawing; none for edges and faces.
+fn cylinder<'p>(hole: &'p Hole, transition: &Transition) -> Option<&'p ToleratedDiameter> {
     let step = transition.step.and_then(|number| hole.steps.get(number.checked_sub(1)?));
-    let own = step.map_or(hole.diameter.nominal, |step| step.diameter.nominal);
-    transition.operation == Operation::Tap
-        || (matches!(transition.feature, Feature::Bore | Feature::Step) && own == transition.diameter_mm)
+    let own = step.map_or(&hole.diameter, |step| &step.diameter);
+    matches!(transition.feature, Feature::Bore | Feature::Step).then_some(own)
 }
 
 /// The place of its tool in the magazine; work on another machine has none.
@@ -143,6 +148,11 @@ fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lan
         note = note.with("diameter", transition.diameter_mm);
     }
     let mut clauses = vec![lang.say(&note)];
+    // A bar is set to a size inside the field: the operator is told how far it may lie off.
+    let limits = cylinder(hole, transition).filter(|_| transition.operation.is_boring());
+    if let Some(own) = limits.filter(|own| (own.smallest()..=own.largest()).contains(&transition.diameter_mm)) {
+        clauses.push(say!(lang, "plan-step-within", smallest = own.smallest(), largest = own.largest()));
+    }
     if let Some(also) = transition.also_diameter_mm {
         clauses.push(say!(lang, "plan-step-also", diameter = also));
     }

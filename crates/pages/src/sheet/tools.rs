@@ -55,7 +55,10 @@ pub(crate) fn named(tool: &ToolPlan, mark: &str, lang: Lang) -> String {
         Some(from) => {
             say!(lang, "plan-ground", designation = designation, from = from, to = tool.diameter_mm).to_owned()
         }
-        None => designation,
+        None => match tool.bought_for_h {
+            Some(grade) => say!(lang, "plan-bought", designation = designation, it = grade).to_owned(),
+            None => designation,
+        },
     }
 }
 

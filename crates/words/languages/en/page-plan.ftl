@@ -40,6 +40,7 @@ plan-step-floor = { $verb } the floor of { $count } { $count ->
     [one] hole
    *[other] holes
 } { $size } ({ $hole }), Ø{ $diameter }
+plan-step-within = permitted Ø{ $smallest } to Ø{ $largest }
 plan-step-also = together with Ø{ $diameter }
 plan-step-passes = { $count } { $count ->
     [one] pass
@@ -141,5 +142,6 @@ explain-unconfirmed = * unconfirmed: { $why }
 explain-not-taken = not taken: { $why }
 explain-sources = Sources named by letters
 explain-source = { $id }: { $source }
+plan-bought = { $designation }, for H{ $it }
 plan-ground = { $designation }, ground from Ø{ $from } to Ø{ $to }
 plan-ground-exactly = { $designation }, a new one ground down to Ø{ $to } itself

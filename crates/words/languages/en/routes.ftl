@@ -38,6 +38,7 @@ milled-not-round = milled to Ø{ $diameter }: the machine's roundness is { $roun
 # Why a route lost.
 lost-by-time = longer by { $slower } min
 lost-by-little = longer by { $slower } min, less than { $percent } % of the time: as good
+lost-by-floor = leaves { $left } mm unfinished over the flat floor, not { $instead } mm
 lost-by-places = shorter by { $quicker } min, but needs more places than the magazine has
 lost-by-order = equal time; later in the order of methods
 ranked-later = the tables rank it after { $first }, which is possible

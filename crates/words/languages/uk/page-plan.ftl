@@ -28,6 +28,7 @@ plan-step = { $verb } { $count } отв. { $size } ({ $hole })
 plan-step-to = { $verb } { $count } отв. { $size } ({ $hole }) до Ø{ $diameter }
 plan-step-spot = { $verb } { $count } отв. { $size } ({ $hole }), витримуючи Ø{ $diameter }
 plan-step-floor = { $verb } дно { $count } отв. { $size } ({ $hole }), Ø{ $diameter }
+plan-step-within = допускається від Ø{ $smallest } до Ø{ $largest }
 plan-step-also = одночасно Ø{ $diameter }
 plan-step-passes = { $count } { $count ->
     [one] робочий хід
@@ -130,5 +131,6 @@ explain-unconfirmed = * не підтверджено: { $why }
 explain-not-taken = не взято: { $why }
 explain-sources = Джерела, названі літерами
 explain-source = { $id } – { $source }
+plan-bought = { $designation }, для H{ $it }
 plan-ground = { $designation }, перешліфувати з Ø{ $from } на Ø{ $to }
 plan-ground-exactly = { $designation }, новий перешліфувати точно на Ø{ $to }

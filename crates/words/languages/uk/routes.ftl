@@ -38,6 +38,7 @@ milled-not-round = фрезерований отвір Ø{ $diameter }: некр
 # Why a route lost.
 lost-by-time = довше на { $slower } хв
 lost-by-little = довше на { $slower } хв, менш ніж { $percent } % часу: не гірший
+lost-by-floor = лишає над плоским дном { $left } мм без чистової обробки, а не { $instead } мм
 lost-by-places = коротше на { $quicker } хв, але потребує більше місць у магазині, якого не вистачає
 lost-by-order = рівний час; за порядком способів стоїть далі
 ranked-later = у таблиці стоїть нижче за { $first }, здійсненну

@@ -41,6 +41,9 @@ impl Chooser<'_, '_> {
                 _ if other.at_best.len() > winner.at_best.len() => {
                     other.at_best.first().cloned().unwrap_or_else(|| Note::new("misses-unknown"))
                 }
+                _ if other.over_floor() > winner.over_floor().max(self.bar_gap) => {
+                    Note::new("lost-by-floor").with("left", other.over_floor()).with("instead", winner.over_floor())
+                }
                 _ if more > SAME && more <= near_tie * time.0 => Note::new("lost-by-little")
                     .with("slower", minutes(more))
                     .with("percent", round_to(near_tie * 100.0, 1)),

@@ -24,10 +24,14 @@ impl<'k> Fitting<'_, 'k> {
         shop: &'s Shop<'k>,
     ) -> FoundTool<'s, 'k> {
         let share = self.floor_mill_share;
-        let room = Micrometres::from_mm_rounded((1.0 - share) * step.diameter.to_mm()).max(need.clearance);
+        // The finishing round of a hole with a floor is that of the mill that roughed it: what is asked of that is asked here.
+        let after_floor = !step.levels && step.entered == Some(step.from) && step.place.feature == Feature::Bore;
+        let made = if after_floor { step.from } else { step.diameter };
+        let need = &CutterNeed { clearance: if after_floor { self.floor_clearance } else { need.clearance }, ..*need };
+        let room = Micrometres::from_mm_rounded((1.0 - share) * made.to_mm()).max(need.clearance);
         let any = Plunging { widest: Micrometres::ZERO, without_middle: step.diameter };
         let in_metal = Plunging { widest: Micrometres::ZERO, without_middle: Micrometres::ZERO };
-        let wishes = match (step.levels, step.from == step.diameter) {
+        let wishes = match (step.levels || after_floor, step.from == step.diameter) {
             (true, true) => vec![
                 CutterNeed { clearance: room, plunges: Some(in_metal), ..*need },
                 CutterNeed { plunges: Some(in_metal), ..*need },
@@ -35,7 +39,7 @@ impl<'k> Fitting<'_, 'k> {
                 CutterNeed { plunges: Some(any), ..*need },
             ],
             (true, false) => {
-                let within = CutterNeed { enters: step.diameter, clearance: room, ..*need };
+                let within = CutterNeed { enters: made, clearance: room, ..*need };
                 vec![
                     CutterNeed { plunges: Some(in_metal), ..within },
                     CutterNeed { clearance: need.clearance, plunges: Some(in_metal), ..within },
@@ -55,7 +59,7 @@ impl<'k> Fitting<'_, 'k> {
             match tooling::find_tool(wish, shop)? {
                 Ok(found) => return Ok(Ok(found)),
                 // On a floor the last wish is the least.
-                Err(why) if step.levels => first = Some(why),
+                Err(why) if step.levels || after_floor => first = Some(why),
                 Err(why) => drop(first.get_or_insert(why)),
             }
         }

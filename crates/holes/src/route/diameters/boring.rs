@@ -117,6 +117,8 @@ impl<'a, 'k> BackwardStep<'a, 'k> {
         let note = Note::new("milling-finish-round").with("stock", round.stock);
         let because = vec![Because::row(round.row, note)];
         let rough = RouteStep { levels, ..rough.step(from) };
-        Ok(vec![rough, RouteStep { because, entered: Some(from), ..self.step(roughed) }])
+        // Over a floor it is the mill that went down there; elsewhere one that entered the hole.
+        let entered = if levels { roughed } else { from };
+        Ok(vec![rough, RouteStep { because, entered: Some(entered), ..self.step(roughed) }])
     }
 }

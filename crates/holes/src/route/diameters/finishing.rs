@@ -111,7 +111,9 @@ impl BackwardStep<'_, '_> {
         // Beside a field H, one of another field needs to be told which one is meant.
         let above = bore.diameter.lower > Micrometres::ZERO;
         let remarks = bought_for.filter(|_| above).map(|it| Remark::BoughtFor { nominal, it }).into_iter().collect();
-        Ok(RouteStep { nominal, because, remarks, ..self.step(before) })
+        // Core drills are bought by their number, not for a field H.
+        let bought_for = bought_for.filter(|_| operation.is_reaming());
+        Ok(RouteStep { nominal, bought_for, because, remarks, ..self.step(before) })
     }
 
     /// What the rough reamer leaves where the hole of the blank has little stock for both: the finish one then takes less.
