@@ -33,6 +33,7 @@ mod intermediate;
 mod jaws;
 mod jobs;
 pub mod layers;
+mod left_out;
 mod level;
 mod opened;
 mod parted;
@@ -253,6 +254,7 @@ fn plan_best(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, 
             best.findings.extend(barred.iter().map(Barred::finding));
         }
     }
+    best.leave_unsafe_out();
     Ok(best)
 }
 
