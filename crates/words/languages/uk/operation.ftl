@@ -30,6 +30,7 @@ face-stock-thin = припуск заготовки на торець менши
 zone-behind-standing = зона { $zone }: різець не пройде, бо перед нею стоїть незнята зона { $before }
 groove-too-deep = глибина { $depth } мм більша за найбільшу для різця, { $reach } мм
 bounds-exceeded = { $tool }: за глибини { $depth } мм перевищено: { $bounds }
+passes-shallower = зона { $zone }: { $tool } знімає за прохід { $depth } мм, а не { $limit } мм: з такою глибиною було б перевищено: { $bounds }
 tool-order = з придатних взято: { $prefer }
 turning-skin = заготовка – { $kind }, стан поверхні: { $surface }
 returns-saved = одна зона замість окремих над кожною ділянкою: на однакових рівнях по { $depth } мм ходів і повернень { $joined } замість { $split }
