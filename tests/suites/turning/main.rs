@@ -35,6 +35,7 @@ mod tapping_laws;
 mod threads;
 mod tools;
 mod transitions;
+mod volumes;
 mod ways;
 mod workpiece;
 mod zones;

@@ -39,8 +39,8 @@ const NAMED: [&str; 6] = [
     "zone-not-cleared",
     "too-many-passes",
 ];
-const OF_THE_PART: [&str; 5] =
-    ["no-limiting-depth", "no-depth-allowed", "no-figure", "flank-too-steep", "bar-too-long"];
+const OF_THE_PART: [&str; 6] =
+    ["no-limiting-depth", "no-depth-allowed", "no-figure", "flank-too-steep", "bar-too-long", "job-left-out"];
 /// The same for a side without layers.
 const OF_A_SIDE: [&str; 3] = ["no-rough-contour", "no-intermediate-contour", "bore-too-narrow-to-drill"];
 
@@ -438,19 +438,24 @@ fn survey() {
                     let faults = spoilt(&operation);
                     let silent = silent(&operation);
                     let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+                    let told: Vec<String> = grave.clone().map(|finding| format!("{:?}", finding.note)).collect();
                     let grave: Vec<String> = grave.map(|finding| finding.note.code().to_owned()).collect();
-                    for control in ["linuxcnc"] {
-                        for form in [Form::Motions, Form::Cycles] {
-                            programs(&operation, control, form, Some(RevsPerMinute(500.0)), &KNOWLEDGE).unwrap();
+                    let mut refused = Vec::new();
+                    for form in [Form::Motions, Form::Cycles] {
+                        for one in programs(&operation, "linuxcnc", form, None, &KNOWLEDGE).unwrap() {
+                            refused.extend(one.files.err().map(|why| format!("{form:?} {why:?}")));
                         }
                     }
-                    (faults, silent, grave)
+                    let removed = super::volumes::removed(&operation).map(|one| (one.wanted, one.left, one.corners));
+                    let more = json!({"told": told, "refused": refused, "removed": removed, "silent": silent});
+                    (faults, silent, grave, more)
                 });
                 match made {
                     Err(_) => note("PANIC".to_owned(), &text),
-                    Ok((faults, silent, grave)) => {
+                    Ok((faults, silent, grave, more)) => {
                         note("read".to_owned(), &text);
-                        list.push_str(&format!("{}\n", json!({"part": text, "faults": faults, "grave": grave})));
+                        let line = json!({"part": text, "faults": faults, "grave": grave, "more": more});
+                        list.push_str(&format!("{line}\n"));
                         // A part that nothing holds, or that no lathe is named for, is told; what else is told of it counts for little.
                         let told = ["set-up-not-held", "job-needs-lathe"];
                         if faults.is_empty() && grave.iter().any(|one| told.contains(&one.as_str())) {

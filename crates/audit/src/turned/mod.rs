@@ -146,12 +146,7 @@ pub fn read_back(
     files: &[ProgramFile],
     knowledge: &Knowledge,
 ) -> Result<Option<Note>, KnowledgeError> {
-    let Some(language) = reader(control, knowledge)? else { return Ok(None) };
-    let Some((main, rest)) = files.split_first() else { return Ok(None) };
-    let language = LatheLanguage::read(language, knowledge)?;
-    let beside: Vec<Subprogram<'_>> =
-        rest.iter().map(|file| Subprogram { name: stem(&file.name), text: &file.text }).collect();
-    let run = read(&main.text, &language, &beside);
+    let Some((main, run)) = read_files(control, files, knowledge)? else { return Ok(None) };
     let at_line = |line: u32, why: Note| Note::new("turned-read-back").with("line", line).with("why", why);
     if let Some(fault) = run.faults.iter().find(|fault| is_serious(fault)) {
         return Ok(Some(at_line(fault.span.line, fault.note.clone())));
@@ -170,6 +165,37 @@ pub fn read_back(
         }
         Err(why) => Some(at_line(why.span.line, why.note.clone())),
     })
+}
+
+/// The proof of the motions that the control reads from a program of ours; none if no reader for the control exists, or the
+/// program cannot be read.
+///
+/// # Errors
+/// The tables of the control lack something.
+pub fn swept(
+    operation: &Operation,
+    set_up: u8,
+    control: &str,
+    files: &[ProgramFile],
+    knowledge: &Knowledge,
+) -> Result<Option<Proven>, KnowledgeError> {
+    let run = read_files(control, files, knowledge)?;
+    Ok(run.and_then(|(main, run)| compared(operation, set_up, &main.text, &run).ok()).map(|compared| compared.proven))
+}
+
+/// The main file of a program, and how the control carries it out with the files beside it; none without a reader or a file.
+fn read_files<'f>(
+    control: &str,
+    files: &'f [ProgramFile],
+    knowledge: &Knowledge,
+) -> Result<Option<(&'f ProgramFile, LatheRun)>, KnowledgeError> {
+    let (Some(language), Some((main, rest))) = (reader(control, knowledge)?, files.split_first()) else {
+        return Ok(None);
+    };
+    let language = LatheLanguage::read(language, knowledge)?;
+    let beside: Vec<Subprogram<'_>> =
+        rest.iter().map(|file| Subprogram { name: stem(&file.name), text: &file.text }).collect();
+    Ok(Some((main, read(&main.text, &language, &beside))))
 }
 
 /// The language that reads programs for a lathe control, by `lathe-controls`; none where there is no reader.

@@ -48,6 +48,11 @@ pub enum Bound {
 }
 
 impl Bound {
+    /// Several of them, for a note.
+    pub fn list(bounds: &[Self]) -> Figure {
+        Figure::list(bounds.iter().map(|bound| Figure::word(bound.name())))
+    }
+
     /// Its name in JSON and in sentences.
     pub const fn name(self) -> &'static str {
         match self {

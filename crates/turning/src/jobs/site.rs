@@ -21,12 +21,25 @@ pub struct Site<'a> {
     /// A clear position: the radius beyond which (in a bore below which) the tool passes, and a Z before the free
     /// face.
     pub clear: Point,
+    /// In a bore: how far off the wall a tool passes it.
+    pub off: Half,
 }
 
 impl Site<'_> {
     /// Outside or inside.
     pub const fn side(&self) -> Side {
         self.profile.side
+    }
+
+    /// A clear position for a bar that goes no deeper than a Z: a narrower place behind it is not in its way, and nearer to the
+    /// axis its back would meet the other side.
+    pub(super) fn clear_before(&self, z: Half) -> Point {
+        let walls = self.profile.surfaces.iter().flat_map(|one| &one.pieces).filter(|piece| !piece.is_face());
+        let own = walls.filter(|piece| piece.from.z < z).flat_map(|piece| [piece.from.radius, piece.to.radius]);
+        match (self.side(), own.min()) {
+            (Side::Inner, Some(least)) => Point { radius: self.clear.radius.max(least - self.off), z: self.clear.z },
+            _ => self.clear,
+        }
     }
 
     /// The narrowest diameter of a bore from the free end to a Z; an element that begins at that Z does not count.

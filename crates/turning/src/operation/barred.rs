@@ -84,8 +84,13 @@ pub(super) fn rejected(operation: &Operation) -> Vec<Barred> {
 
 /// The job that a block of the proof belongs to. Blocks count from 1 through all jobs of a set-up.
 fn job_of(set_up: &SetUpWork, block: usize) -> Option<&Job> {
+    set_up.jobs.get(index_of(set_up, block)?)
+}
+
+/// The same by its index.
+pub(super) fn index_of(set_up: &SetUpWork, block: usize) -> Option<usize> {
     let mut last = 0;
-    set_up.jobs.iter().find(|job| {
+    set_up.jobs.iter().position(|job| {
         last += job.path.moves.len();
         block <= last
     })

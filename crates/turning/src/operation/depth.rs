@@ -44,6 +44,18 @@ pub struct Pace {
     pub retract_mm: Half,
 }
 
+impl Pace {
+    /// What its passes exceed.
+    pub fn exceeded(&self) -> Vec<Bound> {
+        self.conditions.as_ref().map(exceeded).unwrap_or_default()
+    }
+}
+
+/// What conditions exceed; the grip of the jaws is a finding of the set-up.
+fn exceeded(conditions: &TurningConditions) -> Vec<Bound> {
+    conditions.exceeded.iter().copied().filter(|bound| *bound != Bound::Grip).collect()
+}
+
 /// The cut over a zone.
 #[derive(Clone, Copy, Debug)]
 pub struct ZoneCut<'a, 'k> {
@@ -246,12 +258,10 @@ pub fn found(
         Ok(mut conditions) => {
             conditions.because.push(skin);
             findings.extend(conditions.findings());
-            // The grip of the jaws is a finding of the set-up.
-            let exceeded: Vec<_> = conditions.exceeded.iter().filter(|bound| **bound != Bound::Grip).collect();
+            let exceeded = exceeded(&conditions);
             if !exceeded.is_empty() {
-                let bounds = Figure::list(exceeded.into_iter().map(|bound| Figure::word(bound.name())));
                 let note = Note::new("bounds-exceeded").with("tool", task.tool.designation).with("depth", depth);
-                findings.push(Finding::of_part(Severity::Wrong, note.with("bounds", bounds)));
+                findings.push(Finding::of_part(Severity::Wrong, note.with("bounds", Bound::list(&exceeded))));
             }
             Ok(Some(conditions))
         }

@@ -147,7 +147,7 @@ fn site<'a>(stretch: &'a TurnedSide, side: &SideWork, bench: &Bench<'_, '_>) -> 
             narrowest.unwrap_or_default() - retract
         }
     };
-    Ok(Site { profile: &stretch.profile, clear: Point { radius, z: start - approach } })
+    Ok(Site { profile: &stretch.profile, clear: Point { radius, z: start - approach }, off: retract })
 }
 
 /// A job, or the finding why there is none.

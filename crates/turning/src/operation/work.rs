@@ -7,7 +7,7 @@ use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::tables::turning::part::BlankShape;
 use crate::turning::allowances::equidistant;
 use crate::turning::contour::{Contour, Piece, Profile, Side};
-use crate::turning::cutting::{Direction, cuts_back, least_sensible_depth};
+use crate::turning::cutting::{Bound, Direction, cuts_back, least_sensible_depth};
 use crate::turning::elements::{Main, Valley};
 use crate::turning::length::Half;
 use crate::turning::nose::up_to;
@@ -382,9 +382,7 @@ fn clear(
     findings: &mut Vec<Finding>,
 ) -> Result<Cleared, KnowledgeError> {
     let knowledge = bench.knowledge;
-    let levels = levels(&stock, limit, zone.feed);
-    let task = ZoneCut { diameter: begins_at(&levels, &stock).unwrap_or(task.diameter), ..task };
-    let pace = depth::pace(task, levels.depth, None, bench, findings)?;
+    let (levels, pace) = borne(&stock, limit, zone, task, bench, findings)?;
     let settings =
         Settings { depth: levels.depth, approach: pace.approach_mm, retract: pace.retract_mm, feeds: pace.feeds };
     let tool = transitions::Tool {
@@ -441,6 +439,44 @@ fn clear(
         stock,
     };
     Ok(Cleared { work, left })
+}
+
+/// The levels of a stock with the pace of its passes: no deeper than the limit, and with as many more passes as tool, lathe and part
+/// need to bear them. Where they bear none, or the file gives every rate, the limit counts.
+fn borne(
+    stock: &Stock,
+    limit: Half,
+    zone: &Zone,
+    task: ZoneCut<'_, '_>,
+    bench: &Bench<'_, '_>,
+    findings: &mut Vec<Finding>,
+) -> Result<(Split, Pace), KnowledgeError> {
+    let least = Half::of(least_sensible_depth(bench.knowledge)?);
+    let of = |limit: Half, findings: &mut Vec<Finding>| {
+        let levels = levels(stock, limit, zone.feed);
+        let task = ZoneCut { diameter: begins_at(&levels, stock).unwrap_or(task.diameter), ..task };
+        let pace = depth::pace(task, levels.depth, None, bench, findings)?;
+        Ok::<_, KnowledgeError>((levels, pace))
+    };
+    let mut found = Vec::new();
+    let (levels, pace) = of(limit, &mut found)?;
+    let exceeded = pace.exceeded();
+    let (mut depth, mut tries) = (levels.depth, 0);
+    while !exceeded.is_empty() && depth > least && tries < MOST_PASSES {
+        tries += 1;
+        let mut shallower = Vec::new();
+        let next = of(depth - Half::new(1), &mut shallower)?;
+        if next.1.exceeded().is_empty() && next.1.conditions.is_some() {
+            let note = Note::new("passes-shallower").with("zone", zone.number).with("tool", task.tool.designation);
+            let note = note.with("limit", levels.depth).with("depth", next.0.depth);
+            shallower.push(Finding::of_part(Severity::Note, note.with("bounds", Bound::list(&exceeded))));
+            findings.extend(shallower);
+            return Ok(next);
+        }
+        depth = next.0.depth.min(depth - Half::new(1));
+    }
+    findings.extend(found);
+    Ok((levels, pace))
 }
 
 /// The levels of a stock. A face is turned across, so its thickness is divided, not its height.

@@ -30,6 +30,7 @@ face-stock-thin = the blank's stock on the face is { $lack } mm less than the fi
 zone-behind-standing = zone { $zone }: the tool cannot reach it, because zone { $before } in front of it is not cleared
 groove-too-deep = it is { $depth } mm deep, more than the { $reach } mm of the tool
 bounds-exceeded = { $tool }: at t_p = { $depth } mm these limits are exceeded: { $bounds }
+passes-shallower = zone { $zone }: { $tool } takes { $depth } mm a pass, not { $limit } mm: at that these limits would be exceeded: { $bounds }
 tool-order = of those that fit this one is taken: { $prefer }
 turning-skin = blank: { $kind }, its surface: { $surface }
 returns-saved = one zone instead of one over each part: on the same levels of { $depth } mm { $joined } passes and returns instead of { $split }
@@ -54,6 +55,7 @@ faced-through-centre = zone { $zone }: the face is turned to the axis, where the
     .help = face the blank and drill its centre holes first (`blank: {"{"}face: 0, …{"}"}`), or hold it in a chuck
 jaws-not-proven = the chuck is not part of the proof: its size is not known (the record of a lathe has it: name one, `machine:`), or no surface is long enough for its jaws; watch the first run near it
 tool-barred = set-up { $number }: { $tool } is not taken, the proof rejected it: { $why }
+job-left-out = set-up { $number }: left out, because the proof rejects it with every tool that is tried: { $work } with { $tool }, and what stands on it: { $why }
 tailstock-stands = the proof has a centre that grows from Ø{ $mouth } at the face to Ø{ $body }, with a quill of Ø{ $quill } { $off } mm before the face; where yours is thinner (a centre with a turned-down body) or the quill stands farther off, the tool may clear it: try it at reduced rapid
 centre-not-proven = the proof knows the stock and the tools, not the tailstock centre and its quill: watch the approach past them
 rest-seat = set-up { $number }: a steady rest of { $width } mm stands at Z { $z } on Ø{ $diameter } of the blank, which has to be round and run true there: turn a seat first, by hand or in an operation of its own

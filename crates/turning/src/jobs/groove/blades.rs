@@ -256,7 +256,7 @@ fn enters(
     bench: &Bench<'_, '_>,
 ) -> Tried<(), NoJob> {
     let name = || surface.name.clone();
-    let end = valley.pieces.last().map_or(Half::ZERO, |piece| piece.to.z);
+    let end = valley.end();
     match valley.lie {
         Lie::Outside => {}
         Lie::Inside => {
@@ -282,17 +282,17 @@ fn enters(
 
 /// A bar is clamped as short as the groove permits.
 fn reaching<'k>(tool: &TurningTool<'k>, valley: &Valley, approach: Half) -> TurningTool<'k> {
-    let end = valley.pieces.last().map_or(Half::ZERO, |piece| piece.to.z);
+    let end = valley.end();
     let inside = valley.lie == Lie::Inside && tool.reach.is_none();
     TurningTool { reach: if inside { Some((end + approach).rounded_up()) } else { tool.reach }, ..tool.clone() }
 }
 
 /// The retract of a tool in a bore from its wall: half of the clearance of the bar, so that the bar does not touch
 /// the other side. Outside without a limit.
-fn play(site: Site<'_>, valley: &Valley, tool: &TurningTool<'_>) -> Half {
+pub(super) fn play(site: Site<'_>, valley: &Valley, tool: &TurningTool<'_>) -> Half {
     /// Enough to leave the wall.
     const LEAST: Half = Half::new(400);
-    let end = valley.pieces.last().map_or(Half::ZERO, |piece| piece.to.z);
+    let end = valley.end();
     match (valley.lie, tool.min_bore) {
         (Lie::Inside, Some(least)) => Half::radius_of(site.narrowest(end) - least).max(LEAST),
         _ => Half::new(i64::MAX / 4),

@@ -96,13 +96,21 @@ pub fn with_fewer_blades(
 /// The job of a groove, by that blade if one is named.
 fn groove_by(site: Site<'_>, surface: &Surface, only: Option<&str>, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let lathe = site::lathe(bench)?;
-    let valley = Valley::of(surface, site.side())?;
+    let valley = Valley::of(surface, site.side())?.between_shoulders(site.profile);
     let mut limits = Limits::of(bench.knowledge);
     let Chosen { tool, ways, speed, feeds, mut because, by_nose } =
         blades::choose(site, surface, &valley, only, &mut limits, bench)?;
     let (rates, _) = rates::of_table(bench.knowledge)?;
     let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
-    let path = in_set_up(&ways.path, &valley, site, Half::of(rates.approach));
+    let clear = match valley.lie {
+        Lie::Outside | Lie::Face => site.clear,
+        Lie::Inside => {
+            let (at, by) = (site.clear_before(valley.end()), blades::play(site, &valley, &tool));
+            let nearest = Half::radius_of(site.narrowest(valley.end())) - by;
+            Point { radius: at.radius.max(nearest), z: at.z }
+        }
+    };
+    let path = in_set_up(&ways.path, &valley, clear, Half::of(rates.approach));
     because.extend(limits.because);
     let corner = Half::of(tool.nose_radius.unwrap_or_default());
     let name = &surface.name;
@@ -161,10 +169,9 @@ fn division(corner: Half, limits: &mut Limits<'_>, knowledge: &Knowledge) -> Tri
 }
 
 /// A toolpath seen from the mouth, converted to the set-up: from a clear position and back.
-fn in_set_up(ways: &Toolpath, valley: &Valley, site: Site<'_>, approach: Half) -> Toolpath {
+fn in_set_up(ways: &Toolpath, valley: &Valley, clear: Point, approach: Half) -> Toolpath {
     let lie = valley.lie;
     let (from, to) = (lie.seen(ways.from), lie.seen(ways.end()));
-    let clear = site.clear;
     let over = |at: Point| match lie {
         Lie::Outside | Lie::Inside => Point { radius: clear.radius, z: at.z },
         Lie::Face => Point { radius: at.radius, z: clear.z.min(Half::ZERO - valley.mouth - approach) },

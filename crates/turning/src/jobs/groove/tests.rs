@@ -15,7 +15,7 @@ fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
     let is_groove = |surface: &&Surface| surface.kind.is_additional() && surface.kind != SurfaceKind::Thread;
     let surface = profile.surfaces.iter().find(is_groove).unwrap().clone();
     let radius = if side == Side::Outer { 62.0 } else { 15.0 };
-    let site = Site { profile, clear: Point { radius: Half::from(radius), z: Half::from(-2.0) } };
+    let site = Site { profile, clear: Point { radius: Half::from(radius), z: Half::from(-2.0) }, off: Half::from(0.5) };
     (at_bench(workpiece, |bench| Refusal::split(groove(site, &surface, bench)).unwrap()), surface)
 }
 

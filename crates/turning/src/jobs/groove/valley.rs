@@ -2,7 +2,7 @@
 //! outside, inside and in a face are handled alike; and the path of the centre of a round corner that touches it.
 
 use crate::error::{Refusal, Tried};
-use crate::turning::contour::{Curve, Piece, Side, Surface, SurfaceKind, Turn};
+use crate::turning::contour::{Curve, Piece, Profile, Side, Surface, SurfaceKind, Turn};
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
@@ -46,10 +46,15 @@ pub(super) struct Valley {
     pub mouth: Half,
     /// The height of its floor.
     pub floor: Half,
+    /// What rises beside its mouth more steeply than its own walls, such as a shoulder, as lines from the mouth.
+    shoulders: [Option<Piece>; 2],
 }
 
 /// Ends of pieces nearer than this differ only by rounding, mm.
 const APART: f64 = 0.002;
+
+/// As far may a shoulder be moved from the mouth by the middle of its limits, mm.
+const BESIDE: f64 = 0.05;
 
 impl Valley {
     /// The groove of a surface.
@@ -95,7 +100,40 @@ impl Valley {
         if floor >= from.min(to) || pieces.iter().any(bends_out) || corners.into_iter().any(ridge) {
             return Err(Refusal::Not(NoJob::NotAValley { surface: name() }));
         }
-        Ok(Self { lie, pieces, mouth: from.max(to), floor })
+        Ok(Self { lie, pieces, mouth: from.max(to), floor, shoulders: [None, None] })
+    }
+
+    /// With the shoulders of a profile beside it, into which no corner of a blade may go.
+    pub fn between_shoulders(mut self, profile: &Profile) -> Self {
+        if self.lie == Lie::Face {
+            return self;
+        }
+        let near = |one: Point, other: Point| one.to(other).length() < BESIDE;
+        let seen = |piece: &Piece| self.lie.piece(*piece);
+        let all: Vec<Piece> = profile.surfaces.iter().flat_map(|surface| &surface.pieces).map(seen).collect();
+        let steeper = |falls: Vector, rises: Vector| falls.cross(rises) > 0.01;
+        // An arc bends away from the line along its beginning.
+        let before = self.pieces.first().and_then(|first| {
+            let wall = all.iter().find(|piece| near(piece.to, first.from))?;
+            let (along, height) = (wall.direction_at_end(), wall.from.radius - wall.to.radius);
+            let from = first.from.moved(along.times(height.to_mm() / along.radius));
+            let rises = height > Half::ZERO && along.radius < 0.0 && along.z > -1e-9;
+            (rises && steeper(along, first.direction_at_start())).then(|| Piece::line(from, first.from))
+        });
+        let behind = self.pieces.last().and_then(|last| {
+            let wall = all.iter().find(|piece| near(piece.from, last.to))?;
+            let (along, height) = (wall.direction_at_start(), wall.to.radius - wall.from.radius);
+            let to = last.to.moved(along.times(height.to_mm() / along.radius));
+            let rises = height > Half::ZERO && along.radius > 0.0 && along.z > -1e-9;
+            (rises && steeper(last.direction_at_end(), along)).then(|| Piece::line(last.to, to))
+        });
+        self.shoulders = [before, behind];
+        self
+    }
+
+    /// Where its mouth ends.
+    pub fn end(&self) -> Half {
+        self.pieces.last().map_or(Half::ZERO, |piece| piece.to.z)
     }
 
     /// From the mouth to the floor.
@@ -147,8 +185,18 @@ impl Valley {
     /// of a groove shallower than the corner must not be rounded.
     pub fn centres(&self, corner: f64) -> Option<CentrePath> {
         let mut way: Vec<PathSpan> = Vec::new();
-        let last = self.pieces.len().saturating_sub(1);
-        for (index, piece) in self.pieces.iter().enumerate() {
+        // The corner touches a shoulder no farther above the mouth than its radius.
+        let [before, behind] = self.shoulders;
+        let short = |piece: Piece| corner.min(piece.chord().length());
+        let before = before.map(|wall| {
+            Piece::line(wall.to.moved(wall.direction_at_end().times(-short(wall))), wall.to)
+        });
+        let behind = behind.map(|wall| {
+            Piece::line(wall.from, wall.from.moved(wall.direction_at_start().times(short(wall))))
+        });
+        let pieces: Vec<Piece> = before.into_iter().chain(self.pieces.iter().copied()).chain(behind).collect();
+        let last = pieces.len().saturating_sub(1);
+        for (index, piece) in pieces.iter().enumerate() {
             let Some(mut next) = PathSpan::beside(*piece, corner) else { continue };
             let line = next.arc.is_none();
             if index == 0 && line {

@@ -276,7 +276,7 @@ fn toolpath(cut: &ThreadCut, side: Side, site: Site<'_>) -> Toolpath {
     let slope = libm::tan(cut.infeed_angle_deg.0.to_radians());
     let start = match side {
         Side::Outer => Point { radius: site.clear.radius, z: cut.from_z_mm },
-        Side::Inner => site.clear,
+        Side::Inner => site.clear_before(cut.to_z_mm),
     };
     let mut path = Toolpath::at(start);
     path.go(Point { radius: start.radius, z: cut.from_z_mm }, Purpose::Rapid);

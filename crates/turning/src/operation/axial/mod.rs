@@ -192,8 +192,9 @@ impl Axial {
             let threads = profile.surfaces.iter().enumerate();
             for (index, surface) in threads.filter(|(_, surface)| self.threads().any(|name| *name == surface.name)) {
                 let Some((radius, _)) = cylinder(surface) else { continue };
-                let clear = Point { radius: radius - Half::of(own.retract), z: face - Half::of(own.approach) };
-                jobs.extend(thread_job(Site { profile, clear }, index, face, bench, findings)?);
+                let off = Half::of(own.retract);
+                let clear = Point { radius: radius - off, z: face - Half::of(own.approach) };
+                jobs.extend(thread_job(Site { profile, clear, off }, index, face, bench, findings)?);
             }
         }
         Ok(jobs)
