@@ -7,13 +7,16 @@ use crate::note::Figure;
 use crate::plane::{AlongAxis, Convex, Region, Rule, Vector, Window};
 use crate::set_up::{Motion, MotionKind, Piece, SetUp};
 use crate::stock::Stock;
-use crate::taps::LEAD;
 use crate::target::Target;
+use crate::threads::Pass;
 use crate::tool::{Cutter, Outline, Tool};
 use crate::units::{At, Block, Mm};
 
 /// Thinner overlaps are ignored, mm: ten times the error of a chord.
 pub const TOLERANCE: f64 = 0.005;
+
+/// How much of the wall of a hole is looked at behind the flutes of a drill, mm.
+const WALL: f64 = 0.1;
 
 /// The number of swept pieces that are collected before they are subtracted from the stock together, which is faster
 /// than one by one; and so many corners of the stock for each piece, because all of it is gone through then.
@@ -39,6 +42,10 @@ pub struct Carried<'s> {
     passes: Vec<Option<f64>>,
     /// Where passes went deep enough for each thread: stretches along Z, ascending, mm.
     pub(crate) full: Vec<Vec<[f64; 2]>>,
+    /// The passes that cut each thread.
+    in_step: Vec<Vec<Pass>>,
+    /// How often the spindle has turned since its mark, after a pass that the next motion may go on from.
+    turned: Option<f64>,
     /// Z to which a tap has cut each thread in full.
     pub(crate) tapped: Vec<Option<f64>>,
     /// The deepest cut of each tool's edge, and its block.
@@ -63,6 +70,8 @@ impl<'s> Carried<'s> {
             cuts: Vec::new(),
             passes: vec![None; target.threads.len()],
             full: vec![Vec::new(); target.threads.len()],
+            in_step: vec![Vec::new(); target.threads.len()],
+            turned: None,
             tapped: vec![None; target.threads.len()],
             target,
             finished: set_up.finished.as_ref().map(Target::of),
@@ -136,6 +145,9 @@ impl<'s> Carried<'s> {
         let (cuts, holds) = (self.swept(&outline.cuts, motion), self.swept(&outline.holds, motion));
         let tool = &self.tool(motion).designation;
         self.hold_bodies(motion, &cuts, &holds);
+        if motion.kind != MotionKind::Thread {
+            self.turned = None;
+        }
         match motion.kind {
             MotionKind::Rapid => {
                 if let Some((width, at)) = self.overlap(&cuts, &[]) {
@@ -153,6 +165,7 @@ impl<'s> Carried<'s> {
                 self.hold_axis(motion, &cuts);
                 self.hold_profile(motion, &cuts, false);
                 self.hold_holder(motion, &holds, &cuts);
+                self.hold_flutes(motion);
                 let metal = around(&cuts, self.stock.0.window());
                 if !self.stock.0.within(metal).is_empty() {
                     self.remember_depth(motion, &cuts);
@@ -167,6 +180,7 @@ impl<'s> Carried<'s> {
                 self.hold_profile(motion, &cuts, true);
                 self.hold_holder(motion, &holds, &cuts);
                 self.remember_pass(motion);
+                self.remember_turns(motion);
                 self.threaded.extend(cuts);
             }
         }
@@ -223,6 +237,23 @@ impl<'s> Carried<'s> {
         if tool.cutter.turns_on_axis() && !on_axis && self.overlap(cuts, &[]).is_some() {
             let (tool, block) = (tool.designation.clone(), motion.block);
             self.faults.add(Fault::OffAxis { tool, at: to, block, count: 1 });
+        }
+    }
+
+    /// Checks that a tool on the axis goes no deeper than its flutes, its cone or its reach: the hole closes round the shank behind
+    /// them, and chips have no way out.
+    fn hold_flutes(&mut self, motion: &Motion) {
+        let tool = self.tool(motion);
+        let (from, to) = (motion.path.from(), motion.path.to());
+        let Some((radius, length)) = tool.cutter.shank_on_axis().filter(|_| to.z.0 < from.z.0) else { return };
+        let begin = to.z.0 + length;
+        let wall = self.stock.0.window();
+        let ring = Convex::rectangle(Vector::new(begin, radius), Vector::new(wall.most.z.max(begin), radius + WALL));
+        let Some(ring) = Convex::hull(ring).filter(|_| wall.most.z - begin > TOLERANCE) else { return };
+        if let Some((_, at)) = self.overlap(&[ring.clone()], &[]) {
+            let closed = self.stock.0.within(ring.window()).made(&Region::pieces([&ring]), Rule::Both).window();
+            let (tool, depth) = (tool.designation.clone(), Mm(closed.most.z - begin));
+            self.faults.add(Fault::Buried { tool, depth, at, block: motion.block, count: 1 });
         }
     }
 
@@ -284,20 +315,31 @@ impl<'s> Carried<'s> {
                 continue;
             }
             let here = from.r + (to.r - from.r) * (middle - from.z) / (to.z - from.z);
-            let (crest, root) = (thread.thread.crest.0, thread.thread.root.0);
-            let outwards = root > crest;
+            let outwards = thread.thread.root.0 > thread.thread.crest.0;
             let deeper = |known: f64| if outwards { known.max(here) } else { known.min(here) };
             *deepest = Some(deepest.map_or(here, deeper));
-            let cuts = (here - crest) * (root - crest).signum() > TOLERANCE;
-            let pitch = thread.thread.pitch;
-            if let Some(lead) = motion.lead.filter(|lead| cuts && (lead.0 - pitch.0).abs() > LEAD) {
-                let (surface, at, block) = (thread.surface.clone(), motion.path.to(), motion.block);
-                self.faults.add(Fault::ThreadLead { surface, pitch, lead, at, block, count: 1 });
+        }
+    }
+
+    /// Counts the turns of the spindle through a pass: from its mark, or on from the pass before without a stop between them.
+    fn remember_turns(&mut self, motion: &Motion) {
+        let (from, to) = (motion.path.from().spot(), motion.path.to().spot());
+        let Some(lead) = motion.lead.filter(|lead| lead.0 > 0.0) else { return };
+        let begun = self.turned.unwrap_or(motion.start.0 / 360.0);
+        self.turned = Some(begun + to.minus(from).length() / lead.0);
+        for (thread, passes) in self.target.threads.iter().zip(&mut self.in_step) {
+            match thread.pass(motion, &self.set_up.tools[motion.tool], begun) {
+                Some(Ok(pass)) => passes.push(pass),
+                Some(Err(fault)) => self.faults.add(fault),
+                None => {}
             }
         }
     }
 
     fn hold_threads(&mut self) {
+        for (thread, passes) in self.target.threads.iter().zip(&self.in_step) {
+            thread.out_of_step(passes).into_iter().for_each(|fault| self.faults.add(fault));
+        }
         let passes = self.passes.iter().zip(&self.full);
         for ((thread, (pass, full)), tapped) in self.target.threads.iter().zip(passes).zip(&self.tapped) {
             if let Some(to) = tapped {

@@ -193,6 +193,34 @@ pub enum Fault {
         /// Its end at the chuck.
         to_z: Mm,
     },
+    /// A tool on the axis goes in deeper than its flutes, its cone or its reach.
+    Buried {
+        /// Its designation.
+        tool: String,
+        /// How much of its shank is in the hole.
+        depth: Mm,
+        /// Where the hole closes round it.
+        at: At,
+        /// The block.
+        block: Block,
+        /// The number of motions.
+        count: usize,
+    },
+    /// A pass of a thread runs beside the groove of its deepest pass: they start at other angles of the spindle.
+    ThreadPhase {
+        /// The thread's surface.
+        surface: Option<Figure>,
+        /// The pitch of the thread.
+        pitch: Mm,
+        /// How far beside it is along the axis.
+        shift: Mm,
+        /// Where the pass starts.
+        at: At,
+        /// The block.
+        block: Block,
+        /// The number of passes.
+        count: usize,
+    },
     /// No pass of a thread goes down to its root.
     ThreadShallow {
         /// The thread's surface.
@@ -221,6 +249,8 @@ impl Fault {
             Self::ThreadShallow { .. } => "swept-thread-shallow",
             Self::ThreadPart { .. } => "swept-thread-part",
             Self::ThreadLead { .. } => "swept-thread-lead",
+            Self::ThreadPhase { .. } => "swept-thread-phase",
+            Self::Buried { .. } => "swept-buried",
             Self::TapBlocked { .. } => "swept-tap-blocked",
             Self::TapOutOfStep { .. } => "swept-tap-out-of-step",
             Self::TapHoleWide { .. } => "swept-tap-hole-wide",
@@ -239,6 +269,8 @@ impl Fault {
             | Self::TapBlocked { block, .. }
             | Self::TapOutOfStep { block, .. }
             | Self::ThreadLead { block, .. }
+            | Self::ThreadPhase { block, .. }
+            | Self::Buried { block, .. }
             | Self::TapHoleWide { block, .. } => Some(*block),
             Self::OffSize { block, .. } => *block,
             Self::Stands { .. }
@@ -272,6 +304,13 @@ impl Fault {
             Self::ThreadLead { surface, pitch, lead, at, count, .. } => {
                 let note = of_surface(Note::new(code).with("z", at.z), surface);
                 note.with("pitch", pitch).with("lead", lead).with("count", count)
+            }
+            Self::Buried { tool, depth, at, count, .. } => {
+                Note::new(code).with("z", at.z).with("tool", tool).with("depth", depth).with("count", count)
+            }
+            Self::ThreadPhase { surface, pitch, shift, at, count, .. } => {
+                let note = of_surface(Note::new(code).with("z", at.z), surface).with("pitch", pitch);
+                note.with("shift", shift).with("count", count)
             }
             Self::TapHoleWide { surface, width, at, count, .. } => {
                 of_surface(placed(at), surface).with("width", width).with("count", count)
@@ -334,6 +373,12 @@ impl Fault {
                 false
             }
             (Self::ThreadLead { surface: a, .. }, Self::ThreadLead { surface: b, .. }) if a == b => false,
+            (Self::Buried { tool: a, depth: mine, .. }, Self::Buried { tool: b, depth, .. }) if a == b => depth > mine,
+            (Self::ThreadPhase { surface: a, shift: mine, .. }, Self::ThreadPhase { surface: b, shift, .. })
+                if a == b =>
+            {
+                shift > mine
+            }
             (Self::Stands { surface: a, thickness: mine, .. }, Self::Stands { surface: b, thickness, .. })
                 if a == b =>
             {
@@ -377,6 +422,8 @@ impl Fault {
             | Self::TapOutOfStep { count, .. }
             | Self::TapHoleWide { count, .. }
             | Self::ThreadLead { count, .. }
+            | Self::ThreadPhase { count, .. }
+            | Self::Buried { count, .. }
             | Self::Corner { count, .. } => *count,
             Self::Stands { .. }
             | Self::OffSize { .. }
@@ -397,6 +444,8 @@ impl Fault {
             | Self::TapOutOfStep { count, .. }
             | Self::TapHoleWide { count, .. }
             | Self::ThreadLead { count, .. }
+            | Self::ThreadPhase { count, .. }
+            | Self::Buried { count, .. }
             | Self::Corner { count, .. } => Some(count),
             Self::Stands { .. }
             | Self::OffSize { .. }

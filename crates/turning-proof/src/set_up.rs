@@ -4,7 +4,7 @@ use crate::note::Figure;
 use crate::plane::{Vector, chords, turned};
 use crate::stock::Stock;
 use crate::tool::Tool;
-use crate::units::{At, Block, Mm};
+use crate::units::{At, Block, Degrees, Mm};
 
 /// The direction of an arc, with Z to the right and the radius up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -231,6 +231,8 @@ pub struct Motion {
     pub tool: usize,
     /// Its travel per turn of the spindle, in step with it or as its feed; none where the feed is by time.
     pub lead: Option<Mm>,
+    /// Of a pass of a thread: how far the spindle turns on from its mark before it starts.
+    pub start: Degrees,
     /// Its block in the program.
     pub block: Block,
 }

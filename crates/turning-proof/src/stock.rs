@@ -47,11 +47,32 @@ impl Stock {
         self.0.chains().map(|chain| chain.into_iter().map(At::of).collect()).collect()
     }
 
+    /// Where the metal between two places along the axis has its least outer radius: the stretch nearest to the first place, which is
+    /// the one nearer to the free end; its beginning, and that radius. None if the places are in no such order.
+    pub fn thinnest(&self, from: Mm, to: Mm) -> Option<(Mm, Mm)> {
+        let inside = |z: f64| z < from.0 && z > to.0;
+        let corners = self.0.chains().flatten().map(|spot| spot.z).filter(|z| inside(*z));
+        let mut places: Vec<f64> = corners.chain([from.0, to.0]).collect();
+        places.sort_by(|a, b| b.total_cmp(a));
+        let stretches = places.windows(2).filter(|ends| ends[0] - ends[1] > STRETCH);
+        let each = stretches.map(|ends| (ends[0], self.outer_radius((ends[0] + ends[1]) / 2.0)));
+        each.reduce(|thin, one| if one.1 < thin.1 { one } else { thin }).map(|(z, radius)| (Mm(z), Mm(radius)))
+    }
+
+    /// The largest radius of the metal at a Z; 0 where there is none.
+    fn outer_radius(&self, z: f64) -> f64 {
+        let crossed = self.0.edges().filter(|(a, b)| (a.z - z) * (b.z - z) < 0.0);
+        crossed.map(|(a, b)| a.r + (b.r - a.r) * (z - a.z) / (b.z - a.z)).fold(0.0, f64::max)
+    }
+
     /// Whether there is metal at a place.
     pub fn holds(&self, at: At) -> bool {
         self.0.holds(at.spot())
     }
 }
+
+/// Shorter stretches along the axis are the grid of regions, mm.
+const STRETCH: f64 = 0.0005;
 
 /// The corners of a chain.
 fn spots(chain: &[Piece]) -> Vec<Vector> {

@@ -136,6 +136,20 @@ pub enum Cutter {
 }
 
 impl Cutter {
+    /// The radius of the shank of a tool on the axis, and where it begins behind the point; none of other tools and of taps, whose
+    /// shank is a body of its own.
+    pub(crate) fn shank_on_axis(&self) -> Option<(f64, f64)> {
+        match *self {
+            Self::Drill { diameter, flute, .. } => Some((diameter.0 / 2.0, flute.0)),
+            Self::Reamer { diameter, reach, .. } => Some((diameter.0 / 2.0, reach.0)),
+            Self::CentreDrill { pilot, pilot_length, body } => {
+                let (pilot, body) = (pilot.0 / 2.0, body.0 / 2.0);
+                Some((body, pilot_length.0 + (body - pilot) / libm::tan(30_f64.to_radians())))
+            }
+            _ => None,
+        }
+    }
+
     /// The largest radius that it can leave in an inner corner: its nose or the corner of its blade.
     pub const fn nose_radius(&self) -> Mm {
         match *self {

@@ -151,6 +151,7 @@ fn a_steady_rest_holds_the_free_end() {
         path: Piece::Line { from: At::new(Mm(5.0), Mm(45.0)), to: At::new(Mm(-250.0), Mm(45.0)) },
         tool: first.jobs.iter().position(|job| job.work == Work::Finish && job.side == Side::Outer).unwrap(),
         lead: None,
+        start: technolog_turning_proof::Degrees(0.0),
         block: Block(1),
     };
     let proof = prove_set_up(&operation, &[], first, vec![past], Vec::new()).proof.unwrap();

@@ -45,7 +45,7 @@ pub(super) fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &L
         if tools.iter().any(|known| known.called == tool) {
             continue;
         }
-        let named = named(work, &lines, line);
+        let named = named(work, &lines, line).map(|job| at_its_place(work, &stations, job, tool));
         let of = |fits: &dyn Fn(&Station) -> bool| {
             work.jobs.iter().position(|job| station(&stations, job).is_some_and(fits))
         };
@@ -59,6 +59,16 @@ pub(super) fn tools(operation: &Operation, work: &SetUpWork, text: &str, run: &L
         }
     }
     tools
+}
+
+/// Of the jobs with a tool of that name, the one whose place the program calls.
+fn at_its_place(work: &SetUpWork, stations: &[Station], job: usize, called: LatheTool) -> usize {
+    let name = |index: usize| work.jobs.get(index).map_or("", |job| &*job.tool.designation);
+    let sits = |index: &usize| {
+        let station = work.jobs.get(*index).and_then(|job| station(stations, job));
+        name(*index) == name(job) && station.is_some_and(|one| one.seat.place == called.number)
+    };
+    (0..work.jobs.len()).find(sits).unwrap_or(job)
 }
 
 /// The job whose tool a remark names in a block or before it.

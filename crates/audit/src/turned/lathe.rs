@@ -86,7 +86,7 @@ pub(super) fn turns(motion: &LatheMotion) -> Option<(RevsPerMinute, RevsPerMinut
 /// The feed of a motion per revolution at a spindle, mm.
 pub(super) fn per_turn(motion: &LatheMotion, turns: RevsPerMinute) -> Option<f64> {
     match motion.act {
-        LatheAct::Thread { lead } => Some(lead.0),
+        LatheAct::Thread { lead, .. } => Some(lead.0),
         LatheAct::Feed { feed } | LatheAct::Arc { feed, .. } => Some(match feed {
             LatheFeed::PerRevolution(feed) => feed.0,
             LatheFeed::PerMinute(rate) => rate.0 / turns.0,

@@ -7,10 +7,13 @@
 
 mod calls;
 mod compensated;
+mod ends;
+mod homes;
 mod lathe;
 mod pace;
+mod passes;
 
-use technolog_turning_proof::{At, Block, Indexed, Mm, Motion, MotionKind, Piece, Sense};
+use technolog_turning_proof::{At, Block, Degrees, Indexed, Mm, Motion, MotionKind, Piece, Sense};
 
 use calls::{CalledTool, exchanges, tools};
 use compensated::TipOfNose;
@@ -51,7 +54,7 @@ pub fn compare_with_part(
     run: &LatheRun,
     knowledge: &Knowledge,
 ) -> Result<Vec<Fault>, KnowledgeError> {
-    let Compared { work, proven, tools } = match compared(operation, set_up, text, run) {
+    let Compared { work, proven, tools, motions } = match compared(operation, set_up, text, run) {
         Ok(compared) => compared,
         Err(why) => return Ok(vec![*why]),
     };
@@ -80,14 +83,19 @@ pub fn compare_with_part(
     };
     let found = told_of_program(operation, set_up, proof).map(|(severity, found)| {
         let line = found.block().and_then(|block| u32::try_from(block.0).ok());
-        // The lead hangs on no tool.
-        let is_sure = is_sure(line) || matches!(found, technolog_turning_proof::Fault::ThreadLead { .. });
+        // Lead and start of its passes hang on no tool.
+        use technolog_turning_proof::Fault::{ThreadLead, ThreadPhase};
+        let is_sure = is_sure(line) || matches!(found, ThreadLead { .. } | ThreadPhase { .. });
         let least = if is_sure { Severity::Error } else { Severity::Doubtful };
         fault(found.code(), severity.max(least), found.note().with("number", set_up), line.unwrap_or(end))
     });
     let found: Vec<Fault> = found.collect();
     faults.extend(exchanges(operation, work, text, run, &tools));
     faults.extend(pace::paced(operation, work, run, &tools, &proof.depths, knowledge)?);
+    faults.extend(passes::passes(work, run, knowledge)?);
+    faults.extend(ends::parted(operation, work, run, proof, knowledge)?);
+    faults.extend(ends::drilled(operation, work, run, &tools, knowledge)?);
+    faults.extend(homes::homes(operation, work, &run.motions, &motions, &proven));
     faults.extend(turned_near(operation, &proof.indexed, knowledge)?);
     faults.extend(of_plan(operation, set_up, found.iter().any(is_serious), end));
     faults.extend(found);
@@ -218,6 +226,7 @@ struct Compared<'o> {
     work: &'o SetUpWork,
     proven: Proven,
     tools: Vec<CalledTool>,
+    motions: Vec<Motion>,
 }
 
 /// The proof of a program with the tools that it calls, or why there is none.
@@ -244,7 +253,8 @@ fn compared<'o>(operation: &'o Operation, set_up: u8, text: &str, run: &LatheRun
         _ => run.motions.clone(),
     };
     let (motions, indexed) = motions(&followed, &tools).map_err(told)?;
-    Ok(Compared { work, proven: prove_set_up(operation, &operation.proven, work, motions, indexed), tools })
+    let proven = prove_set_up(operation, &operation.proven, work, motions.clone(), indexed);
+    Ok(Compared { work, proven, tools, motions })
 }
 
 /// The nose of the tool of a motion; none of one that no round nose turns with.
@@ -356,11 +366,16 @@ fn motions(all: &[LatheMotion], tools: &[CalledTool]) -> Result<(Vec<Motion>, Ve
             _ => (MotionKind::Rapid, Piece::Line { from: start, to: end }),
         };
         let lead = match one.act {
-            LatheAct::Thread { lead } => Some(Mm(lead.0)),
+            LatheAct::Thread { lead, .. } => Some(Mm(lead.0)),
             LatheAct::Feed { feed: LatheFeed::PerRevolution(feed) } => Some(Mm(feed.0)),
             _ => None,
         };
-        motions.push(Motion { kind, path, tool, lead, block: Block(usize::try_from(line).unwrap_or(usize::MAX)) });
+        let start = match one.act {
+            LatheAct::Thread { start_deg, .. } => Degrees(start_deg),
+            _ => Degrees(0.0),
+        };
+        let block = Block(usize::try_from(line).unwrap_or(usize::MAX));
+        motions.push(Motion { kind, path, tool, lead, start, block });
     }
     Ok((motions, indexed))
 }

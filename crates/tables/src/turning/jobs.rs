@@ -58,6 +58,8 @@ vocabulary! {
         PartingJawGap = "parting-jaw-gap",
         /// The stock left on a parted face that is faced afterwards.
         PartingFaceStock = "parting-face-stock",
+        PartingExcess = "parting-excess",
+        PartingNeck = "parting-neck",
         /// The distance by which the full diameter of a drill comes out of a through hole.
         DrillBreakthrough = "drill-breakthrough",
         /// The diameter of a centring spot, divided by that of the next drill.

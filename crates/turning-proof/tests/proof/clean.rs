@@ -289,3 +289,72 @@ fn what_a_later_set_up_makes_is_not_cut_before() {
     assert_eq!(surface.as_ref().map(|one| one.text().into_owned()), Some("pin".to_owned()));
     assert!((depth.0 - 0.5).abs() < 0.001, "{depth:?}");
 }
+
+/// The thread with passes in step, each starting so far from the others along the axis and as the spindle turns.
+fn started(starts: [(f64, f64); 4]) -> SetUp {
+    let mut work = thread(8.8);
+    let passes = work.motions.iter_mut().filter(|motion| motion.kind == Pass);
+    for (motion, (off, angle)) in passes.zip(starts) {
+        let Piece::Line { from, .. } = &mut motion.path else { panic!() };
+        from.z.0 += off;
+        (motion.lead, motion.start) = (Some(Mm(2.5)), Degrees(angle));
+    }
+    work
+}
+
+/// Depths below the crests 0.4, 0.8, 1.0 and 1.1 mm: the flanks of 30° leave (1.1 − d) · tan 30°, 0.404, 0.173 and 0.058 mm beside
+/// the last groove. At Ø17.6, 0.025 over the deepest that is allowed, it may be widened by 2 · 0.030 · tan 30° = 0.035 mm in all.
+#[test]
+fn passes_of_a_thread_run_in_one_groove() {
+    let still = |off: [f64; 4]| off.map(|off| (off, 0.0));
+    let good = [
+        still([0.0; 4]),
+        // Along one flank, along both in turn, by whole pitches, and shifted both ways at once.
+        still([-0.40, -0.17, -0.057, 0.0]),
+        still([0.40, -0.17, 0.057, 0.0]),
+        still([0.0, 2.5, 5.0, 0.0]),
+        still([0.0, 0.0, 0.09, 0.0]),
+        [(0.0, 0.0), (0.0, 360.0), (1.25, 180.0), (0.0, 0.0)],
+    ];
+    for starts in good {
+        assert_eq!(wrong(&started(starts)), [], "{starts:?}");
+    }
+    let bad = [
+        (still([0.0, 0.0, 0.1, 0.0]), 0.1),
+        (still([0.0, 1.0, 0.0, 0.0]), 1.0),
+        (still([0.0, 0.0, 0.0, 1.0]), 1.0),
+        (still([0.0, 4.0, 0.0, 0.0]), 1.0),
+        ([(0.0, 0.0), (0.0, 0.0), (0.0, 180.0), (0.0, 0.0)], 1.25),
+    ];
+    for (starts, expected) in bad {
+        let faults = wrong(&started(starts));
+        let [Fault::ThreadPhase { shift, pitch, .. }] = &faults[..] else { panic!("{starts:?}: {faults:?}") };
+        assert!(is(*shift, expected) && pitch.0 == 2.5, "{starts:?}: {faults:?}");
+    }
+}
+
+/// Motions in step that follow each other without another between them are one pass: two thirds of a turn of its beginning are left
+/// out of step with nothing.
+#[test]
+fn a_pass_of_two_motions_goes_on_in_step() {
+    let mut work = started([(0.0, 0.0); 4]);
+    let at_pass = work.motions.iter().position(|motion| motion.kind == Pass).unwrap();
+    let Piece::Line { from, to } = work.motions[at_pass].path else { panic!() };
+    let between = at(-11.0, from.radius.0);
+    let mut second = work.motions[at_pass];
+    work.motions[at_pass].path = Piece::Line { from, to: between };
+    second.path = Piece::Line { from: between, to };
+    work.motions.insert(at_pass + 1, second);
+    assert_eq!(wrong(&work), []);
+}
+
+/// A pass from the relief towards the free end winds the other way.
+#[test]
+fn a_pass_the_other_way_spoils_a_thread() {
+    let mut work = started([(0.0, 0.0); 4]);
+    let pass = work.motions.iter_mut().find(|motion| motion.kind == Pass).unwrap();
+    let Piece::Line { from, to } = pass.path else { panic!() };
+    pass.path = Piece::Line { from: to, to: from };
+    let faults = wrong(&work);
+    assert!(matches!(&faults[..], [Fault::ThreadPhase { .. }, ..]), "{faults:?}");
+}

@@ -60,7 +60,7 @@ pub fn program(tool: usize, start: (f64, f64), moves: &[(MotionKind, f64, f64)])
     let mut motion = |(index, &(kind, z, radius)): (usize, &(MotionKind, f64, f64))| {
         let path = Piece::Line { from: here, to: at(z, radius) };
         here = at(z, radius);
-        Motion { kind, path, tool, lead: None, block: Block(index + 1) }
+        Motion { kind, path, tool, lead: None, start: Degrees(0.0), block: Block(index + 1) }
     };
     moves.iter().enumerate().map(&mut motion).collect()
 }
@@ -96,5 +96,5 @@ pub fn is(length: Mm, expected: f64) -> bool {
 pub fn joined(motions: &[Motion], kind: MotionKind, to: At) -> Motion {
     let last = motions.last().unwrap();
     let path = Piece::Line { from: last.path.to(), to };
-    Motion { kind, path, tool: last.tool, lead: None, block: Block(last.block.0 + 1) }
+    Motion { kind, path, tool: last.tool, lead: None, start: Degrees(0.0), block: Block(last.block.0 + 1) }
 }

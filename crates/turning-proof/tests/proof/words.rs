@@ -24,6 +24,8 @@ fn all() -> Vec<Note> {
         Fault::ThreadPart { surface: surface.clone(), left: Mm(14.5), from_z: Mm(-16.0), to_z: Mm(-30.5) },
         Fault::TapBlocked { tool: tool.clone(), width, at, block, count },
         Fault::ThreadLead { surface: surface.clone(), pitch: Mm(2.0), lead: Mm(1.5), at, block, count },
+        Fault::Buried { tool: tool.clone(), depth: Mm(4.5), at, block, count },
+        Fault::ThreadPhase { surface: surface.clone(), pitch: Mm(2.0), shift: Mm(0.625), at, block, count },
         Fault::TapOutOfStep { tool: tool.clone(), pitch: Mm(1.75), lead: Mm(1.5), at, block, count },
         Fault::TapHoleWide { surface: surface.clone(), width, at, block, count },
         Fault::ThreadShort { surface, left: Mm(3.25) },

@@ -50,6 +50,15 @@ swept-thread-lead = { $surface }: a pass of the thread to Z{ $z } is not fed by 
         [one] pass
        *[other] passes
     } in all
+swept-buried = { $tool } goes { $depth } mm deeper than its cutting part is long: at Z{ $z } the hole closes round its shank, and chips have no way out; { $count } { $count ->
+        [one] motion
+       *[other] motions
+    } in all
+swept-thread-phase = { $surface }: a pass of the thread that starts at Z{ $z } cuts { $shift } mm beside the groove of the deepest pass: it starts at another angle of the spindle, off by other than whole pitches of { $pitch } mm; { $count } { $count ->
+        [one] pass
+       *[other] passes
+    } in all
+    .help = start every pass at the same Z and spindle angle, or whole pitches away; along a flank no farther off than the depth that is left · tan of half the angle
 swept-thread-short = { $surface }: the full thread behind the lead of the tap ends { $left } mm before that of the drawing
 # What cannot be followed at all.
 swept-no-contour = the proof of the program has no outer contour of the part

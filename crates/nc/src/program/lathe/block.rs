@@ -365,9 +365,29 @@ impl Maker<'_> {
         self.report_with("lathe-not-carried-out", span, "word", code);
     }
 
+    /// G28 with axes goes to the place that they name first, at rapid, and only then home: G28 X0 Z0 goes through the part.
+    fn by_middle(&mut self, words: &BlockWords) {
+        let goes_by = words.function_for(WordEffect::Away).is_some() && !self.is(LatheReader::Sinumerik);
+        // A step from a place that is not known leads nowhere that is known.
+        let steps = self.state.is(LatheGroup::Distance, WordEffect::Incremental);
+        let known = |name: &str, here: Option<f64>, step: bool| words.look(name).is_none() || !step || here.is_some();
+        let here = self.state.at;
+        let all_known = known("X", here.radius_mm, steps)
+            && known("Z", here.z_mm, steps)
+            && known("U", here.radius_mm, true)
+            && known("W", here.z_mm, true);
+        if !goes_by || !all_known {
+            return;
+        }
+        if let Some(middle) = self.target(words).filter(|middle| *middle != here) {
+            self.push_motion(LatheAct::Rapid, middle);
+        }
+    }
+
     /// A motion to a place with unknown part coordinates: the named axes are unknown afterwards.
     fn away(&mut self, words: &BlockWords, axes: bool, span: TextSpan) {
         self.start_said(span);
+        self.by_middle(words);
         let mut to = self.state.at;
         let named = |names: [&str; 2]| {
             let mut any = false;
@@ -451,10 +471,7 @@ impl Maker<'_> {
             }
             _ => words.take("K").or_else(|| words.take("I")).map(|value| value.value),
         };
-        if self.is(LatheReader::Sinumerik) {
-            // The angle of the thread start.
-            words.take("SF");
-        }
+        let start = self.start_angle(words);
         let Some(lead) = lead.filter(|lead| *lead > 0.0) else {
             self.report("lathe-no-lead", span);
             return;
@@ -463,7 +480,17 @@ impl Maker<'_> {
             self.report("lathe-place-unknown", span);
             return;
         };
-        self.thread_to(from, end, lead, span);
+        self.thread_to(from, end, (lead, start), span);
+    }
+
+    /// The angle of the spindle at which a pass of a thread starts: SF of Sinumerik in degrees, Q of Fanuc in thousandths of one,
+    /// which has no point.
+    pub fn start_angle(&mut self, words: &BlockWords) -> f64 {
+        match self.language.kind {
+            LatheReader::Sinumerik => words.take("SF").map_or(0.0, |angle| angle.value),
+            LatheReader::Fanuc => self.thousandths(words.take("Q").cloned()),
+            LatheReader::LinuxCnc => 0.0,
+        }
     }
 
     /// A thread needs the same spindle speed in every pass.
@@ -475,7 +502,13 @@ impl Maker<'_> {
 
     /// A line synchronised with the spindle; LinuxCNC measures the lead along the line, the others along its longer
     /// axis.
-    pub fn thread_to(&mut self, from: LathePoint, to: LathePoint, lead: f64, span: TextSpan) {
+    pub fn thread_to(
+        &mut self,
+        from: LathePoint,
+        to: LathePoint,
+        (lead, start_deg): (f64, f64),
+        span: TextSpan,
+    ) {
         self.thread_at(span);
         let (dx, dz) = ((to.radius_mm - from.radius_mm).abs(), (to.z_mm - from.z_mm).abs());
         let along = match self.language.kind {
@@ -483,7 +516,7 @@ impl Maker<'_> {
             _ if dx.max(dz) > 0.0 => lead * libm::hypot(dx, dz) / dx.max(dz),
             _ => lead,
         };
-        self.push_motion(LatheAct::Thread { lead: MillimetresPerRev(along) }, to.into());
+        self.push_motion(LatheAct::Thread { lead: MillimetresPerRev(along), start_deg }, to.into());
     }
 
     /// The end of the motion, and for an arc its centre; none if something is wrong.

@@ -8,7 +8,7 @@
 //!   make passes over a contour, `threads` those that cut threads, `tapping` those that drive a tap;
 //! - `corners` chamfers and roundings between two lines, `pecks` cycles that go in step by step;
 //! - `recognise` whether a text is certainly a program of a lathe;
-//! - `run` the execution of the blocks; `motion` the result; `time` its duration; `rules` all rules.
+//! - `offsets` those that two tools share; `run` the execution of the blocks; `motion` the result; `time` its duration; `rules` all rules.
 
 mod block;
 mod contour;
@@ -16,6 +16,7 @@ mod control;
 mod corners;
 mod cycles;
 mod motion;
+mod offsets;
 mod pecks;
 mod recognise;
 mod roughing;

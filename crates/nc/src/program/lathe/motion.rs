@@ -117,6 +117,9 @@ pub enum LatheAct {
     Thread {
         /// Travel along the line per turn of the spindle.
         lead: MillimetresPerRev,
+        /// How far the spindle turns on from its mark before the line starts, degrees.
+        #[serde(skip_serializing_if = "is_zero")]
+        start_deg: f64,
     },
     /// The axes wait.
     Dwell {
@@ -145,6 +148,10 @@ impl LatheAct {
     pub const fn moves(self) -> bool {
         self.cuts() || matches!(self, Self::Rapid | Self::Away)
     }
+}
+
+fn is_zero(angle: &f64) -> bool {
+    *angle == 0.0
 }
 
 /// One action of a lathe.

@@ -38,6 +38,7 @@ pub(super) const RULES: &[Rule] = &[
     ("lathe-plane", Error, "start"),
     ("lathe-no-tool-yet", Error, "start"),
     ("lathe-no-offset", Wrong, "start"),
+    ("lathe-offset-shared", Wrong, "start"),
     ("lathe-tool-named", Note, "start"),
     // Spindle and feed.
     ("spindle-without-speed", Error, "spindle"),

@@ -78,6 +78,7 @@ pub fn read(text: &str, language: &LatheLanguage, files: &[Subprogram<'_>]) -> L
         run.main();
     }
     faults.append(&mut run.faults);
+    faults.extend(super::offsets::shared(language.kind, &run.motions));
     faults.sort_by_key(|fault| fault.span);
     LatheRun { motions: run.motions, faults, control: Some(language.kind) }
 }

@@ -210,7 +210,7 @@ impl Maker<'_> {
             for to in [place(high, begin_z), a] {
                 self.stroke(Stroke::Rapid(PassPoint { z: to.z_mm, x: to.radius_mm }), PassFrame::default(), span);
             }
-            self.thread_to(a, b, lead, span);
+            self.thread_to(a, b, (lead, 0.0), span);
             self.stroke(Stroke::Rapid(PassPoint { z: to, x: high }), PassFrame::default(), span);
         }
         self.stroke(Stroke::Rapid(PassPoint { z: from, x: high }), PassFrame::default(), span);

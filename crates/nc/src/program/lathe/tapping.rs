@@ -107,9 +107,9 @@ impl Maker<'_> {
         }
         let (of_cycle, turning) = (self.of_cycle, self.state.turning);
         self.of_cycle = true;
-        self.thread_to(from, to, lead, span);
+        self.thread_to(from, to, (lead, 0.0), span);
         self.state.turning = Turning::Counterclockwise;
-        self.thread_to(to, from, lead, span);
+        self.thread_to(to, from, (lead, 0.0), span);
         (self.of_cycle, self.state.turning) = (of_cycle, turning);
     }
 }

@@ -96,7 +96,7 @@ impl Maker<'_> {
             let cut = drive.radius_mm + crest - out * depth;
             let (from, to) = (drive.z_mm - depth * slope, end + (full - depth) * slope);
             self.rapid(at(safe, from));
-            let thread = |lead: f64| LatheAct::Thread { lead: MillimetresPerRev(lead) };
+            let thread = |lead: f64| LatheAct::Thread { lead: MillimetresPerRev(lead), start_deg: 0.0 };
             if tapers.entry {
                 self.push_motion(thread(lead_of_taper), at(cut + out * full, from));
                 self.push_motion(thread(lead_of_taper), at(cut, from - tapers.length));
@@ -196,7 +196,7 @@ impl Maker<'_> {
             // The root is the target of the block; each pass is above it by the remaining depth.
             let z = begin.z_mm + direction * depth * slope;
             self.rapid(at(begin.radius_mm, z));
-            self.thread_pass(begin, z, (end, taper), height - depth, (lead, run_out), span);
+            self.thread_pass(begin, z, (end, taper), height - depth, (lead, run_out, 0.0), span);
         }
         self.rapid(begin.into());
     }
@@ -233,7 +233,7 @@ impl Maker<'_> {
         from_z: f64,
         (end, taper): (LathePoint, f64),
         above: f64,
-        (lead, run_out): (f64, f64),
+        (lead, run_out, start): (f64, f64, f64),
         span: TextSpan,
     ) {
         let out = if begin.radius_mm > end.radius_mm { 1.0 } else { -1.0 };
@@ -242,10 +242,10 @@ impl Maker<'_> {
         self.rapid(at(root + taper, from_z));
         let from = LathePoint { radius_mm: root + taper, z_mm: from_z };
         let straight = LathePoint { radius_mm: root, z_mm: end.z_mm + back };
-        self.thread_to(from, straight, lead, span);
+        self.thread_to(from, straight, (lead, start), span);
         if back != 0.0 {
             let over = LathePoint { radius_mm: root + out * back.abs(), z_mm: end.z_mm };
-            self.thread_to(straight, over, lead, span);
+            self.thread_to(straight, over, (lead, start), span);
         }
         self.rapid(at(begin.radius_mm, end.z_mm));
         self.rapid(begin.into());
@@ -308,9 +308,10 @@ impl Maker<'_> {
             self.report("lathe-no-lead", span);
             return;
         };
+        let start = self.start_angle(words);
         let in_block = words.function_for(WordEffect::ThreadBox).is_some();
         let Some((begin, end)) = self.box_ends(words, in_block, span) else { return };
         self.in_box("G92", end, span);
-        self.thread_pass(begin, begin.z_mm, (end, self.state.box_taper), 0.0, (lead, 0.0), span);
+        self.thread_pass(begin, begin.z_mm, (end, self.state.box_taper), 0.0, (lead, 0.0, start), span);
     }
 }

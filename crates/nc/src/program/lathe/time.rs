@@ -55,7 +55,7 @@ pub fn times(motions: &[LatheMotion], rates: Option<LatheRates>) -> LatheTimes {
             (LatheAct::Feed { feed: at }, Some((from, to))) => {
                 feed += along(&motion.modes, at, &|share| line(from, to, share))
             }
-            (LatheAct::Thread { lead }, Some((from, to))) => {
+            (LatheAct::Thread { lead, .. }, Some((from, to))) => {
                 feed += along(&motion.modes, LatheFeed::PerRevolution(lead), &|share| line(from, to, share));
             }
             (LatheAct::Arc { feed: at, centre, sense }, Some((from, to))) => {

@@ -28,7 +28,7 @@ pub fn line_in(motion: &LatheMotion, word: &dyn Fn(&'static str) -> &'static str
             let name = if sense == Sense::Clockwise { "arc-cw" } else { "arc-ccw" };
             (name, format!("{} {} {}", word("centre"), place(centre.into()), feed(at, word)))
         }
-        LatheAct::Thread { lead } => ("thread", format!("{} {}", word("lead"), shown(lead.0))),
+        LatheAct::Thread { lead, .. } => ("thread", format!("{} {}", word("lead"), shown(lead.0))),
         LatheAct::Dwell { seconds } => ("dwell", format!("{} {}", shown(seconds.0), word("s"))),
         LatheAct::Spindle => ("spindle", spindle(motion, word)),
         LatheAct::ToolChange => {

@@ -248,7 +248,7 @@ fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
         Fault::Gouge { surface, depth, at, .. } => !is_mouth(operation, surface.as_ref(), *depth, *at),
         Fault::Struck { .. } | Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,
         Fault::TapBlocked { .. } | Fault::TapOutOfStep { .. } | Fault::TapHoleWide { .. } => true,
-        Fault::ThreadLead { .. } => true,
+        Fault::ThreadLead { .. } | Fault::ThreadPhase { .. } | Fault::Buried { .. } => true,
     }
 }
 
@@ -355,6 +355,7 @@ pub fn motions(path: &Toolpath, tool: usize) -> Vec<Motion> {
         path: proof_piece(&piece),
         tool,
         lead: None,
+        start: proof::Degrees(0.0),
         block: Block(index + 1),
     };
     pieces.map(moved).collect()

@@ -1,0 +1,81 @@
+//! Passes of threads: whether the drive has reached the pitch where the thread begins, and whether the spindle keeps its speed.
+
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
+use crate::note::{Note, Severity};
+use crate::program::Fault;
+use crate::program::lathe::{LatheAct, LatheMotion, LatheRun};
+use crate::tables::turning::jobs::{JobLimit, JobLimits};
+use crate::turning::jobs::ThreadCut;
+use crate::turning::operation::SetUpWork;
+use crate::units::{RevsPerMinute, round_to};
+
+use super::fault;
+use super::lathe::turns;
+
+/// What is doubtful about the passes of each thread, each once, at the worst of them.
+///
+/// The run-in that a pass needs is a·L·R/k: the lead L, mm, and the spindle speed R, 1/min, with `thread-run-in` and
+/// `thread-run-out` of `turning-job-limits`.
+///
+/// # Errors
+/// The knowledge base lacks a row.
+pub(super) fn passes(work: &SetUpWork, run: &LatheRun, knowledge: &Knowledge) -> Result<Vec<Fault>, KnowledgeError> {
+    let ratio = |name: JobLimit| -> Result<f64, KnowledgeError> {
+        let row = knowledge.need(name.name(), |row: &JobLimits<'_>| row.name == name)?;
+        Ok(row.ratio.unwrap_or_default())
+    };
+    let mut faults = Vec::new();
+    for cut in work.jobs.iter().filter_map(|job| job.thread.as_ref()) {
+        let share = ratio(JobLimit::ThreadRunIn)? / ratio(JobLimit::ThreadRunOut)?;
+        let mut short: Option<(f64, f64, u32)> = None;
+        let mut speeds: Option<(RevsPerMinute, RevsPerMinute, u32)> = None;
+        for (begin, speed, line) in starts(run, cut) {
+            let (needs, has) = (share * cut.pitch_mm.to_mm() * speed.0, begin + cut.begins_z_mm.to_mm());
+            if has < needs && short.is_none_or(|(worst, ..)| has < worst) {
+                short = Some((has, needs, line));
+            }
+            let (least, most, _) = speeds.unwrap_or((speed, speed, line));
+            let others = speed.0 < least.0 || speed.0 > most.0;
+            let (least, most) = (least.0.min(speed.0), most.0.max(speed.0));
+            let line = if others { line } else { speeds.map_or(line, |known| known.2) };
+            speeds = Some((RevsPerMinute(least), RevsPerMinute(most), line));
+        }
+        if let Some((has, needs, line)) = short {
+            let note = Note::new("turned-thread-run-in").with("has", round_to(has, 1)).with("needs", round_to(needs, 1));
+            let note = note.with("pitch", cut.pitch_mm);
+            faults.push(fault("turned-thread-run-in", Severity::Doubtful, note, line));
+        }
+        if let Some((least, most, line)) = speeds.filter(|(least, most, _)| most.0 - least.0 >= 1.0) {
+            let note = Note::new("turned-thread-speeds").with("least", round_to(least.0, 0));
+            let note = note.with("most", round_to(most.0, 0));
+            faults.push(fault("turned-thread-speeds", Severity::Doubtful, note, line));
+        }
+    }
+    Ok(faults)
+}
+
+/// Z at which each pass of a thread starts before it, the speed of the spindle, and its line. What goes on from another pass is
+/// no start; nor is a pass whose speed follows its diameter, which a rule of its own tells.
+fn starts(run: &LatheRun, cut: &ThreadCut) -> Vec<(f64, RevsPerMinute, u32)> {
+    let (begins, ends) = (-cut.begins_z_mm.to_mm(), -cut.ends_z_mm.to_mm());
+    let mut before: Option<&LatheMotion> = None;
+    let mut starts = Vec::new();
+    for motion in run.motions.iter().filter(|motion| motion.act.moves()) {
+        let goes_on = before.is_some_and(|one| matches!(one.act, LatheAct::Thread { .. }) && one.to == motion.from);
+        before = Some(motion);
+        let (Some(from), Some(to)) = (motion.from.point(), motion.to.point()) else { continue };
+        let crosses = from.z_mm > ends && to.z_mm < begins;
+        let near = [from.radius_mm, to.radius_mm].into_iter().any(|radius| {
+            let (crest, root) = (cut.crest_radius_mm.to_mm(), cut.root_radius_mm.to_mm());
+            (radius - crest) * (root - crest) > 0.0
+        });
+        if goes_on || !crosses || !near || !matches!(motion.act, LatheAct::Thread { .. }) {
+            continue;
+        }
+        if let Some((slow, _)) = turns(motion).filter(|(slow, fast)| slow == fast) {
+            starts.push((from.z_mm, slow, motion.line));
+        }
+    }
+    starts
+}
