@@ -61,6 +61,8 @@ vocabulary! {
         DwellMost = "dwell-most",
         /// The longest step of deep drilling, mm.
         PeckMost = "peck-most",
+        /// How far the feed of a tap may be off the pitch of a thread, as a part of it.
+        TapFeedNear = "tap-feed-near",
         /// The time to put a tool into the magazine by hand, min.
         LoadToolTime = "load-tool-time",
         /// The time to set the bar of a boring tool to a diameter, min.
@@ -78,7 +80,12 @@ impl Convention {
             Self::FeedStep => "mm/min",
             Self::DwellStep | Self::DwellInHoleMost | Self::DwellLeast | Self::DwellMost => "s",
             Self::LoadToolTime | Self::SetBarTime | Self::TurnOverTime => "min",
-            Self::BlockNumberStep | Self::Overload | Self::SpotOverload | Self::Overlong | Self::DwellTurnsLeast => "1",
+            Self::BlockNumberStep
+            | Self::Overload
+            | Self::SpotOverload
+            | Self::Overlong
+            | Self::DwellTurnsLeast
+            | Self::TapFeedNear => "1",
         }
     }
 }

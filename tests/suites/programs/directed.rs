@@ -139,6 +139,16 @@ fn dangerous(control: &str, text: &str) -> Vec<(String, String)> {
     // 2С42-65 counts tenths of a second, in whole numbers.
     let factors: &[f64] = if iso { &[1000.0, 0.001] } else { &[1000.0] };
     put("a time in another unit", factors.iter().flat_map(|f| one_by_one(text, |line| time(line, *f))).collect());
+    // F of a tap is S times its pitch; behind G95 it would be the pitch itself.
+    let tap = |line: &str, factor: &dyn Fn(f64) -> f64| {
+        let other = |word: &str| match number(word, 'F') {
+            Some(feed) if has(line, "G84") => format!("F{:.1}", factor(feed)),
+            _ => word.to_owned(),
+        };
+        line.split(' ').map(other).collect::<Vec<_>>().join(" ")
+    };
+    put("a tap with its pitch as F", one_by_one(text, |line| tap(line, &|_| 1.5)));
+    put("a tap a tenth too fast", one_by_one(text, |line| tap(line, &|feed| feed * 1.1)));
     put("M29 missing", one_by_one(text, |line| without(line, |it| it == "M29")));
     let away = match control {
         "2c42-65" => "P02",
@@ -221,7 +231,9 @@ fn every_dangerous_omission_ends_with_exit_code_1() {
                 let found = !grave(&bench, language, &text).is_empty();
                 let count = counts.entry((control, what.clone())).or_default();
                 count[usize::from(found)] += 1;
-                let harmless = HARMLESS.iter().any(|(of, on, done, _)| (*of, *on, *done) == (part, *control, &*what));
+                let stops = language.change_stops_spindle() && what == "M5 missing";
+                let harmless =
+                    stops || HARMLESS.iter().any(|(of, on, done, _)| (*of, *on, *done) == (part, *control, &*what));
                 // Where the quill is up already, a way up is none.
                 if !found && !harmless && motions(&text) != planned {
                     let line = text.lines().zip(right.lines()).find(|(now, before)| now != before);
@@ -237,7 +249,7 @@ fn every_dangerous_omission_ends_with_exit_code_1() {
 }
 
 /// What a program shows against itself, without a part: every one of these mutants must end with exit code 1.
-const ALONE: [&str; 18] = [
+const ALONE: [&str; 20] = [
     "G17 never set",
     "G21 never set",
     "G40 never set",
@@ -249,6 +261,8 @@ const ALONE: [&str; 18] = [
     "no safe start",
     "M5 missing",
     "M3 missing",
+    "M4 for M3",
+    "a tap with its pitch as F",
     "no length offset",
     "offset of another tool",
     "a time in another unit",
@@ -278,11 +292,18 @@ fn what_a_program_shows_without_a_part_ends_with_exit_code_1() {
             let (found, planned) = run(&right);
             assert_eq!(found, [""; 0], "{part} {control}");
             for (what, text) in dangerous(control, &right) {
-                // M6 of LinuxCNC stops the spindle itself, and the proof with a part tells it all the same.
+                // M6 of these stops the spindle itself.
                 let (grave, steps) = run(&text);
                 // 400 without a point is 0.4 with one.
                 let same = what == "a time in another unit" && steps == planned;
-                let found = same || !grave.is_empty() || (*control == "linuxcnc" && what == "M5 missing");
+                let stops = language.change_stops_spindle() && what == "M5 missing";
+                // Round at the bottom from M4 to M3: a left-hand tap, for all that the program says.
+                let altered = || text.lines().zip(right.lines()).position(|(now, before)| now != before);
+                let taps = |at: usize| {
+                    text.lines().skip(at).find(|line| line.contains(" G8")).is_some_and(|line| line.contains(" G84"))
+                };
+                let left_hand = *control == "2c42-65" && what == "M4 for M3" && altered().is_some_and(taps);
+                let found = same || !grave.is_empty() || stops || left_hand;
                 counts.entry((control, what.clone())).or_default()[usize::from(found)] += 1;
                 if !found && ALONE.contains(&&*what) {
                     let line = text.lines().zip(right.lines()).find(|(now, before)| now != before);

@@ -1,5 +1,5 @@
-//! What a program tells against itself, without a part: whose length offset acts while a tool cuts, and dwells that are
-//! likely meant in another unit of time.
+//! What a program tells against itself, without a part: whose length offset acts while a tool cuts, which way the spindle
+//! turns then, whether a tap is fed by the pitch of a thread, and dwells that are likely meant in another unit of time.
 //!
 //! It sees the steps of a run, so it is the same for every control. Which tool is how long nobody knows here; but two
 //! tools are not of one length, and a program that corrects one tool has to correct the others.
@@ -11,11 +11,13 @@ use crate::job::convention;
 use crate::knowledge::Knowledge;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning};
 use crate::note::Note;
+use crate::program::Setting;
 use crate::tables::controls::Convention;
+use crate::tables::turning::jobs::ThreadRunOut;
 use crate::units::Micrometres;
 
 /// Figures of `program-conventions` that a run is watched by.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Habits {
     /// The part of a turn that the spindle must make in a dwell in the hole, 1.
     dwell_turns: f64,
@@ -25,6 +27,14 @@ pub(super) struct Habits {
     dwell_s: (f64, f64),
     /// The longest step of deep drilling, mm.
     peck_mm: f64,
+    /// How far the feed of a tap may be off the pitch of a thread, as a part of it.
+    tap_near: f64,
+    /// The pitches of metric threads, mm.
+    pitches: Vec<f64>,
+    /// Whether a tool from the magazine needs a length offset even where it is the only one.
+    by_offset: bool,
+    /// The feed and the speed that act, as parts of those written: by the operator's switches.
+    overrides: (f64, f64),
 }
 
 impl Habits {
@@ -39,7 +49,25 @@ impl Habits {
             dwell_in_hole_s: figure(Convention::DwellInHoleMost)?,
             dwell_s: (figure(Convention::DwellLeast)?, figure(Convention::DwellMost)?),
             peck_mm: figure(Convention::PeckMost)?,
+            tap_near: figure(Convention::TapFeedNear)?,
+            pitches: knowledge.rows::<ThreadRunOut<'_>>()?.into_iter().map(|row| row.pitch.to_mm()).collect(),
+            by_offset: false,
+            overrides: (1.0, 1.0),
         })
+    }
+
+    /// Those of a control on which the length of a tool stands in an offset register.
+    #[must_use]
+    pub fn with_lengths(mut self, by_offset: bool) -> Self {
+        self.by_offset = by_offset;
+        self
+    }
+
+    /// With the switches of a setting.
+    #[must_use]
+    pub fn under(mut self, setting: &Setting) -> Self {
+        self.overrides = (setting.feed_override as f64 / 100.0, setting.speed_override as f64 / 100.0);
+        self
     }
 
     /// The longest step of deep drilling, in millionths of a millimetre.
@@ -73,8 +101,10 @@ pub(super) type Told = (BlockRef, &'static str, Note);
 pub(super) struct Watch {
     habits: Habits,
     at: Position,
-    /// Whether the last motion was a feed straight down.
-    down: bool,
+    /// The feed of the last motion where it was straight down, mm/min.
+    down: Option<f64>,
+    /// A feed straight down with the spindle turning backwards: a drill, unless it turns round at the bottom.
+    backwards: Option<BlockRef>,
     turning: Turning,
     speed: f64,
     tool: u32,
@@ -92,7 +122,8 @@ impl Watch {
         Self {
             habits,
             at: Position { x: Micrometres::ZERO, y: Micrometres::ZERO, z: Micrometres::ZERO },
-            down: false,
+            down: None,
+            backwards: None,
             turning: Turning::Stopped,
             speed: 0.0,
             tool: 0,
@@ -109,21 +140,28 @@ impl Watch {
     pub fn take(&mut self, step: &MotionStep) {
         let from = std::mem::replace(&mut self.at, step.at);
         match &step.motion {
-            Motion::Rapid => self.down = false,
-            Motion::Feed { .. } => {
-                self.down = from.x == step.at.x && from.y == step.at.y && step.at.z < from.z;
+            Motion::Rapid => self.fed(None),
+            Motion::Feed { feed_mm_per_min } => {
+                let upright = from.x == step.at.x && from.y == step.at.y;
+                self.fed(Some(feed_mm_per_min.0).filter(|_| upright && step.at.z < from.z));
+                self.cuts_backwards(upright, step.block);
                 self.cuts_with(step.block);
             }
             Motion::Arc { .. } => {
-                self.down = false;
+                self.fed(None);
+                self.cuts_backwards(false, step.block);
                 self.cuts_with(step.block);
             }
             Motion::Dwell { seconds } => self.dwell(*seconds, step.block),
-            Motion::Spindle { turning, speed_rpm } => (self.turning, self.speed) = (*turning, speed_rpm.0),
+            Motion::Spindle { turning, speed_rpm } => {
+                self.turns_round(*turning, step.block);
+                (self.turning, self.speed) = (*turning, speed_rpm.0);
+            }
             Motion::ToolChange { tool } => {
+                self.fed(None);
                 self.tool = *tool;
                 self.section += 1;
-                (self.own, self.stopped, self.down) = (false, false, false);
+                (self.own, self.stopped) = (false, false);
             }
             Motion::LengthCorrection { axis: Axis::Z, corrector, value } => {
                 self.offset = (*corrector, *value);
@@ -131,6 +169,64 @@ impl Watch {
             }
             Motion::Stop { .. } => self.stopped = true,
             _ => {}
+        }
+    }
+
+    /// A motion that is a feed straight down, or none: then the way down before it was no tap.
+    fn fed(&mut self, down: Option<f64>) {
+        self.down = down;
+        if let Some(block) = self.backwards.take() {
+            let code = "drilling-backwards";
+            self.tell(block, code, Note::new(code).with("tool", self.tool));
+        }
+    }
+
+    /// A cut while the spindle turns counterclockwise. Left-hand tools are rare: a drill would be one that bores nothing but
+    /// old bolts out, a mill may be one. The way up of a tap is none, and the way down of a left-hand one is not known yet.
+    fn cuts_backwards(&mut self, upright: bool, block: BlockRef) {
+        if self.turning != Turning::Counterclockwise {
+            return;
+        }
+        if !upright {
+            let code = "milling-backwards";
+            self.tell(block, code, Note::new(code).with("tool", self.tool));
+        } else if self.down.is_some() {
+            self.backwards = Some(block);
+        }
+    }
+
+    /// A spindle that turns round at the bottom of a feed cuts a thread: then the feed of a turn is its pitch.
+    fn turns_round(&mut self, turning: Turning, block: BlockRef) {
+        let (Some(feed), true) = (self.down, turning != self.turning) else { return };
+        if turning == Turning::Stopped || self.turning == Turning::Stopped {
+            return;
+        }
+        self.backwards = None;
+        let (of_feed, of_speed) = self.habits.overrides;
+        let (feed, speed) = (feed / of_feed, self.speed / of_speed);
+        let pitch = feed / speed;
+        let Habits { tap_near, pitches, .. } = &self.habits;
+        let near = |known: f64| (pitch / known - 1.0).abs() <= *tap_near;
+        // Inch threads have a whole number of turns to the inch, a few of them a half more.
+        let halves = libm::round(2.0 * 25.4 / pitch);
+        let inches = halves % 2.0 == 0.0 || [9.0, 23.0].contains(&halves);
+        let least = pitches.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = pitches.iter().copied().fold(0.0, f64::max);
+        let code = if pitch < least * (1.0 - tap_near) || pitch > most * (1.0 + tap_near) {
+            "tap-feed"
+        } else if pitches.iter().any(|known| near(*known)) || (inches && near(50.8 / halves)) {
+            return;
+        } else {
+            "tap-feed-odd"
+        };
+        let note = Note::new(code).with("pitch", crate::units::round_to(pitch, 3));
+        self.tell(block, code, note.with("feed", crate::units::round_to(feed, 3)).with("speed", speed));
+    }
+
+    /// A block may be repeated many times, and a tool may make many such cuts: the first says it.
+    fn tell(&mut self, block: BlockRef, code: &'static str, note: Note) {
+        if !self.told.iter().any(|(_, known, other)| *known == code && *other == note) {
+            self.told.push((block, code, note));
         }
     }
 
@@ -157,7 +253,7 @@ impl Watch {
             return;
         }
         let turns = seconds * self.speed / 60.0;
-        let cutting = self.down && self.turning != Turning::Stopped;
+        let cutting = self.down.is_some() && self.turning != Turning::Stopped;
         let note = |code: &'static str, needed: f64, limit: &'static str| {
             let shown = crate::units::round_to(needed, 3);
             (code, Note::new(code).with("seconds", seconds).with("needed", shown).with("limit", limit.to_owned()))
@@ -182,6 +278,7 @@ impl Watch {
 
     /// What is told of the run, in no order.
     pub fn finish(mut self) -> Vec<Told> {
+        self.fed(None);
         self.offsets();
         self.told
     }
@@ -205,7 +302,7 @@ impl Watch {
         }
         for cut in &self.cuts {
             let told = if none(cut) {
-                if tools.len() < 2 {
+                if tools.len() < 2 && !self.habits.by_offset {
                     continue;
                 }
                 let code = if any || !cut.stopped { "no-length-offset" } else { "length-by-hand" };

@@ -92,6 +92,11 @@ impl Language {
         control.tap_word()
     }
 
+    /// Whether its tool change stops the spindle itself, by its record.
+    pub fn change_stops_spindle(&self) -> bool {
+        matches!(self, Self::Iso(control) if control.change_stops_spindle())
+    }
+
     /// The program of a job.
     pub fn write(&self, job: &Job, form: Form) -> WrittenProgram {
         match self {
@@ -204,10 +209,11 @@ impl Fault {
         self.severity == Severity::Error
     }
 
-    /// Whether it is seen in a program by itself and a proof with the part says it better: offsets and dwells.
+    /// Whether it is seen in a program by itself and a proof with the part says it better: offsets, dwells, which way the
+    /// spindle turns.
     pub fn is_of_program_alone(&self) -> bool {
-        let codes = ["no-length-offset", "length-by-hand", "dwell-unit", "dwell-odd"];
-        self.code.starts_with("offset-of-") || codes.contains(&self.code)
+        let codes = ["no-length-offset", "length-by-hand", "dwell-unit", "dwell-odd", "tap-feed", "tap-feed-odd"];
+        self.code.starts_with("offset-of-") || self.code.ends_with("-backwards") || codes.contains(&self.code)
     }
 
     /// Whether nobody may run the program: it is not carried out as written, or what it relies on is not so.

@@ -176,6 +176,8 @@ vocabulary! {
         TapStartsSpindle = "tap-starts-spindle",
         MacroWords = "macro-words",
         ChangeStopsSpindle = "change-stops-spindle",
+        LengthsInOffsets = "lengths-in-offsets",
+        ArcCentreInPlane = "arc-centre-in-plane",
         ToolTakenOut = "tool-taken-out",
         ArcToleranceInches = "arc-tolerance-inches",
         ArcReach = "arc-reach",

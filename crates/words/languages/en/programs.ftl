@@ -164,6 +164,20 @@ offset-of-other-tool = T{ $tool } cuts with the length offset H{ $corrector }, t
     .help = give G43 with the offset register of this tool
 offset-of-other-number = T{ $tool } cuts with the length offset H{ $corrector }, and there is a tool T{ $other }
     .help = make sure that H{ $corrector } holds the length of T{ $tool }
+drilling-backwards = { $tool ->
+        [0] the tool
+       *[other] T{ $tool }
+    } is fed straight down while the spindle turns counterclockwise
+    .help = give M3; only a left-hand drill needs M4
+milling-backwards = { $tool ->
+        [0] the tool
+       *[other] T{ $tool }
+    } is fed while the spindle turns counterclockwise
+    .help = give M3; only a left-hand tool, or a laser, needs M4
+tap-feed = the feed F{ $feed } at S{ $speed } makes { $pitch } mm for each turn: no thread has that pitch
+    .help = give F = S · pitch where F counts mm/min, the pitch itself only where it counts mm for each turn
+tap-feed-odd = the feed F{ $feed } at S{ $speed } makes { $pitch } mm for each turn, which is the pitch of no metric and no inch thread
+    .help = make sure that F is S · pitch
 dwell-unit = a dwell of { $seconds } s in the hole; { $limit ->
         [least] a tenth of a turn takes { $needed } s
        *[most] more than { $needed } s

@@ -131,7 +131,16 @@ fn proven(
     let own_correctors = !says(Q::Corrector) && !says(Q::Correction);
     let start = setting.start;
     // The programs of plans are those of 2С42-65, which needs no function before a tap.
-    let input = ProofInput { plan, job, zeros: &zeros, start, tolerated, tap_word: None, own_correctors };
+    let input = ProofInput {
+        plan,
+        job,
+        zeros: &zeros,
+        start,
+        tolerated,
+        tap_word: None,
+        change_stops_spindle: false,
+        own_correctors,
+    };
     let mut findings = prove(&run.steps, &input).findings;
     // A plan as stated says nothing of coolant.
     findings.retain(|finding| {

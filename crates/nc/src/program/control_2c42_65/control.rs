@@ -153,7 +153,8 @@ impl Control {
             depth: count(Characteristic::SubprogramDepthMax)?,
             m_per_block: count(Characteristic::MFunctionsPerBlockMax)?,
             dwell_step_s,
-            habits: Habits::read(knowledge)?,
+            // The length of every tool stands in a corrector (3.11.3), that of the reference tool too.
+            habits: Habits::read(knowledge)?.with_lengths(true),
             setting: Limits {
                 correctors: number(Characteristic::Correctors)? as i64,
                 feed_overrides: steps(Characteristic::FeedOverride)?,

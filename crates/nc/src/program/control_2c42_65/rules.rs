@@ -69,6 +69,10 @@ pub(super) const RULES: &[Rule] = &[
     ("length-by-hand", Warning, "3.11.3*"),
     ("offset-of-other-tool", Wrong, "3.11.3*"),
     ("offset-of-other-number", Warning, "3.11.3*"),
+    ("drilling-backwards", Wrong, "3.13.1*"),
+    ("milling-backwards", Warning, "3.13.1*"),
+    ("tap-feed", Wrong, "3.12.1.4*"),
+    ("tap-feed-odd", Warning, "3.12.1.4*"),
     ("dwell-unit", Wrong, "3.10.6*"),
     ("dwell-odd", Warning, "3.10.6*"),
     // Motions.

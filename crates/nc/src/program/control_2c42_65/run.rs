@@ -42,7 +42,7 @@ pub fn check_within<S: Sink>(
             state: ControlState::power_on(control, setting),
             holes: Holes::new(),
             steps: Vec::new(),
-            running: Running::new(sink, fault, control.habits, budget),
+            running: Running::new(sink, fault, control.habits.clone().under(setting), budget),
         };
         run.program(programs.main.clone(), 0);
         faults.extend(run.running.finish(blocks.first().map(|block| block.span).unwrap_or_default()));

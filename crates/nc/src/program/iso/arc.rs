@@ -17,6 +17,11 @@ impl Maker<'_> {
         let [a, b, _] = plane.axes();
         let centre = [a, b].map(|axis| self.take(words, centre_letter(axis)));
         let radius = self.take(words, 'R');
+        // A zero across the plane moves the centre nowhere, where the control does not refuse it.
+        let [.., off] = plane.axes().map(centre_letter);
+        if !self.control.is(Q::ArcCentreInPlane) && words.get(off).is_some_and(|word| word.millionths == 0) {
+            self.take(words, off);
+        }
         let target = self.target(words, false);
         let given = centre.iter().flatten().next().or(radius.as_ref()).map(|word| word.span);
         let Some(span) = target.span.or(given) else { return };

@@ -166,7 +166,7 @@ impl Control {
             number_digits: any(Q::ProgramNumberDigits) as usize,
             m_written: (any(Q::MFunctionsWritten) as usize).max(1),
             tap_preparation: Some(any(Q::TapPreparation) as u32).filter(|code| *code > 0),
-            habits: Habits::read(knowledge)?,
+            habits: Habits::read(knowledge)?.with_lengths(yes.contains(&Q::LengthsInOffsets)),
             setting: Limits {
                 correctors: need(Q::Correctors)? as i64,
                 feed_overrides: steps(figures(Q::FeedOverride)),
@@ -228,6 +228,11 @@ impl Control {
     /// Whether it taps: a spindle and a feed that go together.
     pub(in crate::program) fn taps(&self) -> bool {
         self.cycles.values().any(|cycle| cycle.bottom == Bottom::Reversed)
+    }
+
+    /// Whether its tool change stops the spindle itself.
+    pub(in crate::program) fn change_stops_spindle(&self) -> bool {
+        self.is(Q::ChangeStopsSpindle)
     }
 
     /// The machine function that a tapping cycle needs before it.

@@ -70,6 +70,8 @@ pub(super) const RULES: &[Rule] = &[
     ("offset-of-other-tool", Wrong, "machine"),
     ("offset-of-other-number", Warning, "machine"),
     ("offset-of-tool-before", Wrong, "machine"),
+    ("drilling-backwards", Wrong, "machine"),
+    ("milling-backwards", Warning, "machine"),
     ("dwell-unit", Wrong, "machine"),
     ("dwell-odd", Warning, "machine"),
     ("zero-not-set", Remark, "machine"),
@@ -99,6 +101,8 @@ pub(super) const RULES: &[Rule] = &[
     ("tap-counterclockwise", Error, "cycles"),
     ("tap-without-spindle", Error, "cycles"),
     ("tap-not-rigid", Warning, "cycles"),
+    ("tap-feed", Wrong, "cycles"),
+    ("tap-feed-odd", Warning, "cycles"),
 ];
 
 /// A broken rule.

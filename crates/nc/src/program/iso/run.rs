@@ -49,7 +49,7 @@ pub fn check_within<S: Sink>(
             state: ControlState::power_on(control, setting),
             values: Values::new(control),
             broke: false,
-            running: Running::new(sink, fault, control.habits, budget),
+            running: Running::new(sink, fault, control.habits.clone().under(setting), budget),
         };
         run.main();
         faults.extend(run.running.finish(blocks.first().map(|block| block.span).unwrap_or_default()));

@@ -267,7 +267,9 @@ impl<'t> Around<'_, 't> {
                         findings.push(ProgramFinding::new(Code::CorrectionAtChange, Severity::Note, *block));
                     }
                     if *turned {
-                        findings.push(ProgramFinding::new(Code::TurnsAtChange, Severity::Wrong, *block));
+                        let stops = self.input.change_stops_spindle;
+                        let severity = if stops { Severity::Note } else { Severity::Wrong };
+                        findings.push(ProgramFinding::new(Code::TurnsAtChange, severity, *block));
                     }
                     if *coolant {
                         findings.push(ProgramFinding::new(Code::CoolantAtChange, Severity::Note, *block));

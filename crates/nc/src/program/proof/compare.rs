@@ -290,7 +290,17 @@ fn conditions(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Ve
         let severity = if beyond || rubs { Severity::Wrong } else { Severity::Doubtful };
         findings.push(say.figure(Code::OtherFeed, severity, feed, cycle.feed_mm_per_min.0));
     }
-    if made > planned * most {
+    // A tap cannot choose: the feed of a turn is the pitch of its thread.
+    let off_pitch = match cycle.kind {
+        CycleKind::Tap { pitch } => {
+            let turned = cut.cutting().filter(|made| made.speed > 0.0);
+            let mut fed = turned.filter_map(|made| Some(per_turn(made.feed()?, made.speed)));
+            let near = input.tolerated.tap_near;
+            fed.find(|made| (made / pitch.to_mm() - 1.0).abs() > near).map(|made| (made, pitch.to_mm()))
+        }
+        _ => (made > planned * most).then_some((made, planned)),
+    };
+    if let Some((made, planned)) = off_pitch {
         let figure = |value: f64| crate::units::round_to(value, 3);
         findings.push(say.figure(Code::FeedPerTurn, Severity::Wrong, figure(made), figure(planned)));
     }

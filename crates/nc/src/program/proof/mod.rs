@@ -66,6 +66,8 @@ pub struct ProofInput<'a> {
     /// The machine function that must act before a tap, where the control has one: without it the spindle does not
     /// follow the feed.
     pub tap_word: Option<&'a str>,
+    /// Whether the tool change of the control stops the spindle itself.
+    pub change_stops_spindle: bool,
     /// Whether the operator uses offset registers of his own: then numbers and values may differ from the plan's.
     pub own_correctors: bool,
 }
@@ -82,6 +84,8 @@ pub struct Tolerated {
     pub spot_overload: f64,
     /// The factor on the planned dwell from which it is a mistake.
     pub overlong: f64,
+    /// How far the feed of a tap may be off the pitch of its thread, as a part of it.
+    pub tap_near: f64,
 }
 
 impl Tolerated {
@@ -94,7 +98,8 @@ impl Tolerated {
         let overload = crate::job::convention(Convention::Overload, knowledge)?.0;
         let overlong = crate::job::convention(Convention::Overlong, knowledge)?.0;
         let spot_overload = crate::job::convention(Convention::SpotOverload, knowledge)?.0;
-        Ok(Self { overrun: row.overrun, overload, spot_overload, overlong })
+        let tap_near = crate::job::convention(Convention::TapFeedNear, knowledge)?.0;
+        Ok(Self { overrun: row.overrun, overload, spot_overload, overlong, tap_near })
     }
 }
 

@@ -23,6 +23,7 @@ pub struct PlannedJob {
     pub job: Job,
     tolerated: Tolerated,
     tap_word: Option<String>,
+    change_stops_spindle: bool,
     own_correctors: bool,
 }
 
@@ -42,7 +43,8 @@ impl PlannedJob {
         }
         let tolerated = Tolerated::read(&plan.part, knowledge)?;
         let tap_word = language.tap_word();
-        Ok(Self { plan, job, tolerated, tap_word, own_correctors: false })
+        let change_stops_spindle = language.change_stops_spindle();
+        Ok(Self { plan, job, tolerated, tap_word, change_stops_spindle, own_correctors: false })
     }
 
     /// Zeros and offset registers missing in the setting become those of the job; operators with registers of their
@@ -91,6 +93,7 @@ impl PlannedJob {
                 start: setting.start,
                 tolerated: self.tolerated,
                 tap_word: self.tap_word.as_deref(),
+                change_stops_spindle: self.change_stops_spindle,
                 own_correctors: self.own_correctors,
             },
         )
