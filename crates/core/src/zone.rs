@@ -104,7 +104,7 @@ pub fn off_table(part: &Part, shop: &Shop<'_>) -> Result<Vec<OffTable>, Knowledg
             let [length, width, thickness] =
                 [part.blank.length, part.blank.width, part.blank.thickness].map(|side| side.to_mm() / 1000.0);
             let of = |density: f64| length * width * thickness * density;
-            let weighs = density.map(|density| (of(density.least), of(density.most)));
+            let weighs = density.map(|density| (of(density.lightest), of(density.heaviest)));
             let weighs = weighs.filter(|(_, most)| *most > limit);
             weighs.map(|(least, most)| OffTable::PlateTooHeavy { least, most, limit })
         }

@@ -99,8 +99,8 @@ rows! {
     /// Density of the metals of a group, kg/m³: the lightest and the heaviest of them.
     pub struct Density of One("densities") {
         material_group: &'t str,
-        least: f64,
-        most: f64,
+        lightest: f64,
+        heaviest: f64,
     }
 
     /// Between which hardness, HB, metals of a group lie.

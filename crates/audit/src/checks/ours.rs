@@ -33,6 +33,7 @@ pub(super) fn check<'a>(
         ("holes", Section::Route),
         ("tools", Section::Tools),
         ("clamping", Section::Clamping),
+        ("setup", Section::Clamping),
         ("sequence", Section::Route),
         ("time", Section::Times),
     ] {

@@ -94,9 +94,6 @@ pub struct Plan {
     pub tools: Vec<ToolPlan>,
     /// How the part is clamped by straps; absent when no hole could be planned, or straps find no place.
     pub clamping: Option<Clamping>,
-    /// How the part is set up.
-    #[serde(default)]
-    pub setup: Setup,
     /// Which tool visits which points, in order.
     pub sequence: Vec<ToolVisit>,
     /// How section 1.3.1 of the textbook would visit the holes of each group of more than one tool.
@@ -104,6 +101,9 @@ pub struct Plan {
     pub visiting: Vec<Visiting>,
     /// Where the time goes.
     pub time: Times,
+    /// How the part is set up.
+    #[serde(default)]
+    pub setup: Setup,
     /// What the reader must know.
     pub findings: Vec<Finding>,
 }
