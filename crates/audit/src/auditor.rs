@@ -10,6 +10,7 @@ use crate::motion::MotionStep;
 use crate::plan::Plan;
 use crate::planner;
 use crate::program::{Fault, Language, Setting};
+use crate::tables::audit::Mistakes;
 use crate::tables::holders::HolderRow;
 use crate::tooling::named::{self, NamedCutter};
 
@@ -17,7 +18,7 @@ use super::finding::Audit;
 use super::near::Names;
 use super::stated::{Program, Stated};
 use super::tolerance::Tolerances;
-use super::{checks, context, coverage, figures, graph, rules};
+use super::{checks, context, coverage, figures, graph, mistakes, rules};
 
 /// Audits plans, one after the other or many at once.
 #[derive(Debug)]
@@ -27,6 +28,7 @@ pub struct Auditor<'k> {
     pub(super) cutters: Names<'k, NamedCutter<'k>>,
     pub(super) holders: Names<'k, HolderRow<'k>>,
     tolerances: Tolerances,
+    pub(super) mistakes: Vec<Mistakes<'k>>,
     plans: Memo<Result<Arc<Plan>, KnowledgeError>>,
     runs: Memo<SimulatedProgram>,
     languages: Memo<Result<Arc<Language>, KnowledgeError>>,
@@ -52,6 +54,7 @@ impl<'k> Auditor<'k> {
             cutters: Names::new(cutters),
             holders: Names::new(holders),
             tolerances: Tolerances::read(knowledge)?,
+            mistakes: mistakes::read(knowledge)?,
             plans: Memo::default(),
             runs: Memo::default(),
             languages: Memo::default(),
@@ -95,7 +98,7 @@ impl<'k> Auditor<'k> {
         let context = context::Context::new(stated, ours, self)?;
         let mut graph = graph::Graph::new(stated, &self.tolerances);
         rules::add(&context, &mut graph)?;
-        super::misprints::correct(&mut graph);
+        super::misprints::correct(&context, &mut graph);
         for formula in rules::tabulated::far_off(&context, &graph)? {
             graph.replace(formula);
         }

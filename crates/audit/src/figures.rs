@@ -6,6 +6,7 @@ use crate::note::{Note, Severity};
 use super::context::Context;
 use super::finding::{AuditFinding, Change, FindingKind, Shown};
 use super::graph::{Graph, Status, Verdict};
+use super::mistakes;
 use super::quantity::{Id, Quantity};
 use super::stated::StatedFigure;
 
@@ -25,6 +26,12 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
     let formula = graph.formula(id)?;
     let changes = changes(id, all, context);
     let mut is_slip = false;
+    let mistake = match &verdict.status {
+        Status::Root(severity, _) if *severity < Severity::Note && !context.stated.is_own => {
+            mistakes::recognised(context, graph, formula, figure)
+        }
+        _ => None,
+    };
     let (severity, note, roots) = match &verdict.status {
         Status::Fine => return None,
         Status::Root(severity, Some(note)) => (*severity, note.clone(), Vec::new()),
@@ -46,6 +53,10 @@ fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Gr
         }
     };
     let mut finding = AuditFinding::new(severity, Context::section(id), context.field(id), note).at(&figure.place);
+    if let Some(mistake) = mistake {
+        finding.severity = mistake.severity.map_or(finding.severity, |proven| proven.min(finding.severity));
+        finding.mistake = Some(mistake.note);
+    }
     finding.rule = formula.rule.id.to_owned();
     finding.is_slip = is_slip;
     finding.kind = match verdict.status {

@@ -204,6 +204,9 @@ pub struct AuditFinding {
     /// The formula with its figures.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub formula: String,
+    /// The usual mistake that gives the stated figure, where one does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mistake: Option<Note>,
     /// Where the formula comes from; programs read it in English.
     #[serde(serialize_with = "english", skip_serializing_if = "Option::is_none")]
     pub source: Option<Note>,
@@ -261,6 +264,7 @@ impl AuditFinding {
             by_stated: None,
             deviation_percent: None,
             formula: String::new(),
+            mistake: None,
             source: None,
             factor: None,
             is_slip: false,

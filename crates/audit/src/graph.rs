@@ -10,7 +10,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::note::{Because, Note, Severity};
 
-use super::quantity::Id;
+use super::mistakes::OtherLaw;
+use super::quantity::{Id, Scope};
 use super::stated::{Stated, StatedFigure};
 use super::tolerance::Tolerances;
 
@@ -28,9 +29,12 @@ pub type Judged = Option<(Severity, Note)>;
 
 mod what_if;
 
-type Compute<'a> = Box<dyn Fn(&[f64]) -> Option<f64> + 'a>;
+pub(super) type Compute<'a> = Box<dyn Fn(&[f64]) -> Option<f64> + 'a>;
 /// Judges a stated value, given the inputs of its formula.
 pub(super) type Judge<'a> = Box<dyn Fn(f64, &[f64]) -> Judged + 'a>;
+
+/// Other laws of a formula, made when they are asked for.
+pub(super) type Others<'a> = Box<dyn Fn() -> Vec<OtherLaw<'a>> + 'a>;
 
 /// A rule applied to one figure.
 pub struct Formula<'a> {
@@ -46,6 +50,8 @@ pub struct Formula<'a> {
     pub compute: Compute<'a>,
     /// For chosen values: whether a stated value is acceptable although it is not the computed one.
     pub judge: Option<Judge<'a>>,
+    /// What comes out with other laws, for mistakes that are recognised.
+    pub(super) others: Option<Others<'a>>,
     /// The rows it rests on.
     pub because: Vec<Because>,
 }
@@ -215,6 +221,20 @@ impl<'a> Graph<'a> {
         let Some(formula) = self.formula(id) else { return Vec::new() };
         let constants = formula.inputs.iter().filter_map(|input| self.constants.get(input));
         formula.because.iter().cloned().chain(constants.flat_map(|constant| constant.because.clone())).collect()
+    }
+
+    /// The first row that conditions are for.
+    pub(super) fn row_of(&self, scope: Scope) -> Option<usize> {
+        match scope {
+            Scope::Row(at) => Some(at),
+            Scope::Conditions(at) => self.stated.conditions.get(at)?.rows.first().copied(),
+            _ => None,
+        }
+    }
+
+    /// The tool of conditions or of a row.
+    pub(super) fn tool_of(&self, scope: Scope) -> Option<usize> {
+        self.stated.tool_of(self.stated.rows.get(self.row_of(scope)?)?)
     }
 
     /// Whether a stated figure is what it should be, within its tolerance.

@@ -29,6 +29,7 @@ pub mod limits;
 mod many;
 pub mod marks;
 mod misprints;
+mod mistakes;
 mod near;
 mod of_dimensions;
 mod own;

@@ -7,8 +7,10 @@
 
 use std::collections::BTreeSet;
 
+use super::context::Context;
 use super::figures::{Nature, nature};
 use super::graph::{Formula, Graph, Rule, Status};
+use super::mistakes;
 use super::quantity::{Id, Quantity};
 
 const MISPRINT: Rule = Rule { id: "misprinted", formula: "" };
@@ -32,7 +34,7 @@ struct Suspect {
 }
 
 /// Finds misprinted figures one by one and corrects them.
-pub(super) fn correct(graph: &mut Graph<'_>) {
+pub(super) fn correct<'a>(context: &Context<'a>, graph: &mut Graph<'a>) {
     for _ in 0..MOST {
         let own: Vec<Id> = graph
             .verdicts()
@@ -40,6 +42,8 @@ pub(super) fn correct(graph: &mut Graph<'_>) {
             .filter(|verdict| matches!(verdict.status, Status::Root(_, None)))
             .map(|verdict| verdict.id)
             .filter(|id| graph.computed_from_right(*id).is_none())
+            // A formula that was got wrong in a usual way needs no misprint to explain it.
+            .filter(|id| !is_usual_mistake(context, graph, *id))
             .collect();
         let Some((found, computed)) = own.iter().find_map(|id| Some((misprinted(graph, *id)?, *id))) else {
             return;
@@ -52,10 +56,18 @@ pub(super) fn correct(graph: &mut Graph<'_>) {
             numbers: String::new(),
             compute: Box::new(move |_| Some(right)),
             judge: None,
+            others: None,
             because: Vec::new(),
         };
         graph.correct(formula, computed);
     }
+}
+
+/// Whether a figure is what comes out of its formula by a usual mistake.
+fn is_usual_mistake(context: &Context<'_>, graph: &Graph<'_>, id: Id) -> bool {
+    let known = graph.formula(id).zip(graph.printed(id));
+    !context.stated.is_own
+        && known.is_some_and(|(formula, figure)| mistakes::recognised(context, graph, formula, figure).is_some())
 }
 
 /// The figure whose misprint explains why a computed figure does not fit; none if the computed figure itself is

@@ -19,6 +19,8 @@ pub struct Handbook {
     pub speed: SpeedLaw,
     /// Kv = Kmv·Kpv·Klv.
     pub speed_factor: f64,
+    /// Kmv, Kpv and Klv, as far as the transition has them.
+    pub speed_factors: Vec<f64>,
     /// The rows behind the speed.
     pub speed_because: Vec<Because>,
     /// The laws of torque and thrust, without Kp; absent if no row is known.
@@ -65,7 +67,8 @@ pub fn formulas<'k>(cut: &Cut, feed: MillimetresPerRev, shop: &impl Asking<'k>) 
         true => Vec::new(),
         false => drilling::speed_corrections(cut, figures.is_own_group(), shop)?.0,
     };
-    let speed_factor = corrections.iter().map(|(factor, _)| factor).product();
+    let speed_factors: Vec<f64> = corrections.iter().map(|(factor, _)| *factor).collect();
+    let speed_factor = speed_factors.iter().product();
     speed_because.extend(corrections.into_iter().map(|(_, reason)| reason));
 
     let (mut loads, mut load_factor, mut loads_because) = (None, 1.0, Vec::new());
@@ -78,7 +81,7 @@ pub fn formulas<'k>(cut: &Cut, feed: MillimetresPerRev, shop: &impl Asking<'k>) 
             loads_because.push(reason);
         }
     }
-    Ok(Some(Handbook { speed, speed_factor, speed_because, loads, load_factor, loads_because }))
+    Ok(Some(Handbook { speed, speed_factor, speed_factors, speed_because, loads, load_factor, loads_because }))
 }
 
 /// The feed of a transition by the tables, with the rows behind it.

@@ -111,6 +111,7 @@ fn details(finding: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
     if let Some(by_stated) = &finding.by_stated {
         lines.push(say!(lang, "audit-by-stated", value = figure(by_stated, lang)));
     }
+    lines.extend(finding.mistake.iter().map(|mistake| lang.say(mistake)));
     if finding.is_slip {
         lines.push(say!(lang, "audit-is-slip").to_owned());
     }

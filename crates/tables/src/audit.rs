@@ -11,6 +11,8 @@ vocabulary! {
     pub enum Constant {
         /// π, with the precision that the author used.
         Pi = "pi",
+        /// The divisor of N = M·n/9750: kW of N·m and 1/min.
+        Power = "power",
     }
 
     /// The possible range of a quantity.
@@ -158,6 +160,22 @@ rows! {
     pub struct AuditShares of One("audit-shares") complete part {
         part: PlanPart,
         share: Percent,
+    }
+
+    /// The usual ways to get a formula wrong.
+    pub struct Mistakes of One("audit-mistakes") {
+        rule: &'t str,
+        id: &'t str,
+        of: Option<Quantity>,
+        instead: Option<Quantity>,
+        at: Option<&'t str>,
+        value: Option<f64>,
+        times: Option<f64>,
+        power: Option<f64>,
+        law: Option<&'t str>,
+        severity: Option<Severity>,
+        uk: &'t str,
+        en: &'t str,
     }
 
     /// Names that the textbook prints otherwise than the catalogs have them.

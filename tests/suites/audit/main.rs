@@ -14,6 +14,7 @@ mod faults;
 mod folder;
 mod honest;
 mod marks;
+mod mistakes;
 mod mutations;
 mod program;
 mod reader;

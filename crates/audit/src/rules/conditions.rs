@@ -37,11 +37,15 @@ pub(super) const RULES: &[Rule] =
     &[DEPTH, FEED, TAKEN, SPEED, COMPUTED, STEP, AT_STEP, MINUTE, FORCE, POWER, POWER_OF, TORQUE, TIME, BY_TABLES];
 
 const PI: Id = Id::new(Scope::Constant, Q::Pi);
+/// The 9750 of N = M·n/9750, the second constant.
+const OF_POWER: Id = Id { index: 1, ..PI };
 
 pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
     let rows = context.shop.knowledge.rows::<Constants<'_>>()?;
     let values = rows.iter().filter(|row| row.name == Known::Pi).map(|row| row.value).collect();
     graph.constant(PI, Constant { values, because: Vec::new() });
+    let values = rows.iter().filter(|row| row.name == Known::Power).map(|row| row.value).collect();
+    graph.constant(OF_POWER, Constant { values, because: Vec::new() });
     for at in 0..context.stated.conditions.len() {
         add_formulas(context, graph, at)?;
     }
@@ -78,9 +82,9 @@ fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) 
     spindle(context, graph, at)?;
     let product = |values: &[f64]| Some(values.iter().product::<f64>());
     graph.add(formula(&MINUTE, id(Q::MinuteFeed), vec![id(conditions.feed()), id(Q::Rpm)], "{0}·{1}", product));
-    let turning = |values: &[f64]| Some(values.first()? * values.get(1)? / 9750.0);
+    let turning = |values: &[f64]| Some(values.first()? * values.get(1)? / values.get(2)?);
     if has(id(Q::Torque)) {
-        graph.add(formula(&POWER_OF, id(Q::Power), vec![id(Q::Torque), id(Q::Rpm)], "{0}·{1}/9750", turning));
+        graph.add(formula(&POWER_OF, id(Q::Power), vec![id(Q::Torque), id(Q::Rpm), OF_POWER], "{0}·{1}/{2}", turning));
     }
     if !has(id(Q::Torque)) || has(id(Q::CardPower)) {
         graph.add(torque_of_power(Scope::Conditions(at)));
@@ -101,8 +105,8 @@ fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) 
 /// M = 9750·N/n, for conditions and for the clamping; N in kW, n in 1/min, M in N·m.
 pub(super) fn torque_of_power<'a>(scope: Scope) -> Formula<'a> {
     let id = |quantity| Id::new(scope, quantity);
-    let torque = |values: &[f64]| Some(9750.0 * values.first()? / values.get(1)?);
-    formula(&TORQUE, id(Q::Torque), vec![id(Q::Power), id(Q::Rpm)], "9750·{0}/{1}", torque)
+    let torque = |values: &[f64]| Some(values.get(2)? * values.first()? / values.get(1)?);
+    formula(&TORQUE, id(Q::Torque), vec![id(Q::Power), id(Q::Rpm), OF_POWER], "{2}·{0}/{1}", torque)
 }
 
 /// t = (D − D0)/2, of one pass; for centring D/2.

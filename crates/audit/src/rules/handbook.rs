@@ -4,17 +4,19 @@
 
 use crate::cutting::factors;
 use crate::cutting::handbook::{self, Handbook};
-use crate::cutting::laws::LoadLaw;
+use crate::cutting::laws::{LoadLaw, SpeedLaw};
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Figure, Note, Severity};
 use crate::plan::CuttingMethod;
 use crate::tables::audit::{AuditFormula, AuditFormulaFor};
+use crate::tables::cutting::{CuttingSpeed, TorqueAndThrust};
 use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
 
 use super::super::context::Context;
 use super::super::figures::{Nature, nature, shown};
-use super::super::graph::{Formula, Graph, Judged, Rule};
+use super::super::graph::{Compute, Formula, Graph, Judged, Rule};
+use super::super::mistakes::OtherLaw;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{fixed_figure, formula, tabulated};
 
@@ -188,15 +190,38 @@ fn speed<'a>(
     let below = [power(&life, law.m), power("{1}", law.x), power("{0}", law.y)];
     let below: Vec<String> = below.into_iter().filter(|one| !one.is_empty()).collect();
     numbers.push_str(&format!("/({})", below.join("·")));
-    let compute = move |values: &[f64]| {
-        let [feed, depth_of_cut, diameter, more @ ..] = values else { return None };
-        let (life, factors) = match by_table {
-            Some(life) => (life, more),
-            None => more.split_first().map(|(life, factors)| (*life, factors))?,
-        };
-        Some(law.at(*diameter, *depth_of_cut, *feed, life) * kv * factors.iter().product::<f64>())
+    let with = move |law: SpeedLaw, kv: f64, without_life: bool| {
+        move |values: &[f64]| {
+            let [feed, depth_of_cut, diameter, more @ ..] = values else { return None };
+            let (life, factors) = match by_table {
+                Some(life) => (life, more),
+                None => more.split_first().map(|(life, factors)| (*life, factors))?,
+            };
+            let life = if without_life { 1.0 } else { life };
+            Some(law.at(*diameter, *depth_of_cut, *feed, life) * kv * factors.iter().product::<f64>())
+        }
     };
-    let formula = formula(&SPEED, id(Q::Speed), inputs, &numbers, compute);
+    let compute = with(law, kv, false);
+    let mut formula = formula(&SPEED, id(Q::Speed), inputs, &numbers, compute);
+    let single = if named.is_empty() { formulas.speed_factors.clone() } else { Vec::new() };
+    formula.others = Some(Box::new(move || {
+        let other = |name, row, compute| OtherLaw { law: name, row, compute };
+        let mut others = vec![other("without-life", None, Box::new(with(law, kv, true)) as Compute<'_>)];
+        others.push(other("without-factors", None, Box::new(with(law, 1.0, false))));
+        for factor in single.iter().filter(|factor| **factor != 1.0) {
+            others.push(other("without-factor", None, Box::new(with(law, kv / factor, false))));
+            others.push(other("factor-inverted", None, Box::new(with(law, kv / factor / factor, false))));
+        }
+        for row in context.shop.knowledge.rows::<CuttingSpeed<'_>>().unwrap_or_default() {
+            let CuttingSpeed { cv, q, x, y, m, .. } = row;
+            let number = Some(row.row.number());
+            others.push(other("other-row", number, Box::new(with(SpeedLaw { cv, q, x, y, m }, kv, false))));
+            others.push(other("other-exponent", number, Box::new(with(SpeedLaw { y, ..law }, kv, false))));
+            others.push(other("other-exponent", number, Box::new(with(SpeedLaw { q, ..law }, kv, false))));
+            others.push(other("other-exponent", number, Box::new(with(SpeedLaw { m, ..law }, kv, false))));
+        }
+        others
+    }));
     let because = if named.is_empty() { formulas.speed_because.len() } else { 1 };
     // Where the formula is far from public tables, the program takes the speed of those tables; that speed is no
     // slip.
@@ -231,7 +256,25 @@ fn loads<'a>(
     let reference = conditions.rows.first().and_then(|row| context.reference(*row));
     let specific = reference.and_then(|transition| transition.conditions.torque_n_m).map(|torque| torque.0);
     for (rule, quantity, law, also) in [(&FORCE, Q::Force, thrust, None), (&TORQUE, Q::Torque, torque, specific)] {
-        let formula = formula(rule, id(quantity), inputs.clone(), &numbers(&law, kp), load(law));
+        let mut formula = formula(rule, id(quantity), inputs.clone(), &numbers(&law, kp), load(law));
+        formula.others = Some(Box::new(move || {
+            let with = |law: LoadLaw, kp: f64| -> Compute<'_> {
+                Box::new(move |values| Some(law.at(*values.get(2)?, *values.get(1)?, *values.first()?) * kp))
+            };
+            let other = |name, row, compute| OtherLaw { law: name, row, compute };
+            let mut others = vec![other("without-factors", None, with(law, 1.0))];
+            others.push(other("factor-inverted", None, with(law, 1.0 / kp)));
+            for row in context.shop.knowledge.rows::<TorqueAndThrust<'_>>().unwrap_or_default() {
+                let (factor, q, x, y) = match quantity {
+                    Q::Torque => (row.cm, row.qm, row.xm, row.ym),
+                    _ => (row.cp, row.qp, row.xp, row.yp),
+                };
+                let number = Some(row.row.number());
+                others.push(other("other-row", number, with(LoadLaw { factor: 10.0 * factor, q, x, y }, kp)));
+                others.push(other("other-exponent", number, with(LoadLaw { y, ..law }, kp)));
+            }
+            others
+        }));
         add(context, graph, formula, (load(law), also), because())?;
     }
     // Where the torque is stated the power follows from it.

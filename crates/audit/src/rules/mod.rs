@@ -65,6 +65,7 @@ fn formula<'a>(
         numbers: numbers.to_owned(),
         compute: Box::new(compute),
         judge: None,
+        others: None,
         because: Vec::new(),
     }
 }

@@ -10,6 +10,8 @@ audit-sign-by-g44 = the sign for G44; neither plan nor program says G43 or G44; 
 audit-other-corrector = { $tool } uses offset register { $corrector }, but every other tool uses the register of its own number
 audit-by-table = { $share } % of the { $value } that the tables give
 audit-clamp-not-largest = it was computed for M = { $torque }, but the largest force is needed by row { $row }: M = { $other }
+audit-mistake = this is what comes out if { $mistake }
+audit-mistake-row = this is what comes out if { $mistake } (row { $row })
 audit-overhang = by the note of section 5.2 item 5 the overhang is { $least } to { $most } mm
 audit-no-step = no step of the machine (its neighbours are { $below } and { $above }); for the computed { $computed } it is { $step }, and the stated value is { $excess } % off
 audit-step-fast = { $excess } % above the computed { $computed }: tool life falls; the rule gives { $step }

@@ -10,6 +10,8 @@ audit-sign-by-g44 = знак для G44; ні план, ні програма н
 audit-other-corrector = { $tool } має коректор { $corrector }, а решта інструментів – коректор свого номера
 audit-by-table = { $share } % від { $value }, що дають таблиці
 audit-clamp-not-largest = рахували для M = { $torque }, а найбільшої сили закріплення потребує рядок { $row }: M = { $other }
+audit-mistake = саме стільки виходить, якщо { $mistake }
+audit-mistake-row = саме стільки виходить, якщо { $mistake } (рядок { $row })
 audit-overhang = за приміткою до 5.2 п. 5 виліт від { $least } до { $most } мм
 audit-no-step = верстат такого ступеня не має (сусідні { $below } і { $above }); для розрахункових { $computed } це { $step }, написане відхиляється на { $excess } %
 audit-step-fast = на { $excess } % вище за розрахункові { $computed }: період стійкості зменшується; правило дає { $step }
