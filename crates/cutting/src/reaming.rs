@@ -27,7 +27,9 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     because.extend(life);
     let (law, figures) = laws::speed(Coefficients::Ream, cut.tool_material, feed, shop)?;
     because.extend(figures.because(Note::new("speed-coefficients").with("cv", law.cv)));
-    let mut speed = law.at(cut.diameter.to_mm(), cut.depth_of_cut(), feed.0, tool_life.0);
+    // A rough reamer whose feed is held to practice gains no speed by it: the figure belongs to the feed of the table.
+    let tabulated = if cut.roughness.is_none() { feed::tabulated(cut, shop)?.feed.0 } else { 0.0 };
+    let mut speed = law.at(cut.diameter.to_mm(), cut.depth_of_cut(), feed.0.max(tabulated), tool_life.0);
     if figures.is_own_group() {
         let (factor, reason) = factors::material_speed(Process::Drilling, cut.tool_material, shop)?;
         speed *= factor;
