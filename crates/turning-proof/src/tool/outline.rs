@@ -27,12 +27,12 @@ impl Outline {
                 let angles = [lead_angle.0, trail_angle.0].map(f64::to_radians);
                 let (edges, [main, second]) = insert(angles, nose_radius.0, edge_length.0, hand);
                 let behind = Vector::new(main.z.max(second.z), main.r.max(second.r));
-                (vec![edges], vec![held(tool.holder, behind, &[main, second])], side, hand)
+                (vec![edges], held(tool.holder, behind, &[main, second]), side, hand)
             }
             Cutter::Blade { width, corner_radius, depth, side } => {
                 let blade = rounded(width.0, corner_radius.0, depth.0);
                 let root = [Vector::new(0.0, depth.0), Vector::new(width.0, depth.0)];
-                (vec![blade], vec![held_blade(tool.holder, depth.0, &root)], side, Hand::Right)
+                (vec![blade], held_blade(tool.holder, depth.0, &root), side, Hand::Right)
             }
             Cutter::FaceBlade { width, corner_radius, depth } => {
                 let swap = |spot: Vector| Vector::new(spot.r, spot.z);
@@ -45,7 +45,7 @@ impl Outline {
                 let ahead = half.min(beside.0);
                 let root = [Vector::new(-ahead, reach.0), Vector::new(half, reach.0)];
                 let point = vec![Vector::default(), Vector::new(-ahead, ahead / slope), root[0], root[1]];
-                (vec![point], vec![held(tool.holder, Vector::new(half, reach.0), &root)], side, Hand::Right)
+                (vec![point], held(tool.holder, Vector::new(half, reach.0), &root), side, Hand::Right)
             }
             Cutter::Drill { diameter, point_angle, flute } => {
                 let (cuts, shank) = drill(diameter.0 / 2.0, point_angle.0, flute.0);
@@ -128,26 +128,28 @@ fn rounded(width: f64, corner: f64, depth: f64) -> Vec<Vector> {
     spots
 }
 
-/// A holder whose head ends at the ends of the edges.
-fn held(holder: Holder, behind: Vector, edges: &[Vector]) -> Vec<Vector> {
-    let body = match holder {
-        Holder::None => return Vec::new(),
+/// A holder whose head ends at the ends of the edges. The head of a bar has run out into the bar one diameter behind them.
+fn held(holder: Holder, behind: Vector, edges: &[Vector]) -> Vec<Vec<Vector>> {
+    let hull = |body: [Vector; 4]| body.into_iter().chain(edges.iter().copied()).collect();
+    match holder {
+        Holder::None => Vec::new(),
         Holder::Shank { width, set_back } => {
-            Convex::rectangle(Vector::new(set_back.0, behind.r), Vector::new(set_back.0 + width.0, behind.r + FAR))
+            let far = Vector::new(set_back.0 + width.0, behind.r + FAR);
+            vec![hull(Convex::rectangle(Vector::new(set_back.0, behind.r), far))]
         }
-        Holder::Bar { diameter, stands_out } => Convex::rectangle(
-            Vector::new(behind.z, stands_out.0),
-            Vector::new(behind.z + BAR, stands_out.0 + diameter.0),
-        ),
-    };
-    body.into_iter().chain(edges.iter().copied()).collect()
+        Holder::Bar { diameter, stands_out } => {
+            let to = |long: f64| Vector::new(behind.z + long, stands_out.0 + diameter.0);
+            let bar = |long: f64| Convex::rectangle(Vector::new(behind.z, stands_out.0), to(long));
+            vec![hull(bar(diameter.0)), bar(BAR).to_vec()]
+        }
+    }
 }
 
 /// A blade's holder begins where the blade ends; a bar is as near to the chuck as the blade.
-fn held_blade(holder: Holder, depth: f64, root: &[Vector]) -> Vec<Vector> {
+fn held_blade(holder: Holder, depth: f64, root: &[Vector]) -> Vec<Vec<Vector>> {
     match holder {
         Holder::Bar { diameter, .. } => {
-            Convex::rectangle(Vector::new(0.0, depth), Vector::new(BAR, depth + diameter.0)).to_vec()
+            vec![Convex::rectangle(Vector::new(0.0, depth), Vector::new(BAR, depth + diameter.0)).to_vec()]
         }
         Holder::None | Holder::Shank { .. } => held(holder, Vector::new(0.0, depth), root),
     }

@@ -38,7 +38,7 @@ pub fn along(contour: &Contour, standing: &Contour, clearance: Clearance) -> Too
 /// the metal beside it, at a home point outside the whole side.
 pub fn dip(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolpath {
     seen_outside(contour, standing, clearance.nearest, |contour, standing, ceiling| {
-        let Clearance { approach, .. } = clearance;
+        let Clearance { approach, retract, .. } = clearance;
         let limited = |radius: Half| ceiling.map_or(radius, |ceiling: Half| radius.min(ceiling));
         let (Some(start), Some(end), Some(first)) = (contour.start(), contour.end(), standing.start()) else {
             return Toolpath::default();
@@ -53,7 +53,14 @@ pub fn dip(contour: &Contour, standing: &Contour, clearance: Clearance) -> Toolp
         for piece in joined(&contour.pieces) {
             path.follow(piece, Purpose::Finish);
         }
-        path.go(Point { radius: clear, z: end.z }, Purpose::Rapid);
+        // A larger nose has left its round before the wall behind: away from it at feed, then out.
+        let (radius, off) = (limited(end.radius + retract), end.z - retract);
+        let fits = contour.pieces.last().is_some_and(|last| last.from.z < off);
+        let z = if fits { off } else { end.z };
+        if fits {
+            path.go(Point { radius, z }, Purpose::Return);
+        }
+        path.go(Point { radius: clear, z }, Purpose::Rapid);
         path.go(home, Purpose::Rapid);
         path
     })

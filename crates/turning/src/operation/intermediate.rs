@@ -64,8 +64,11 @@ fn without_steps(pieces: Vec<(Owned, bool)>, fall: f64, side: Side) -> Vec<Owned
         let step = is_step.then_some(piece);
         let beside = step.zip(kept.last().copied()).zip(rest.peek().copied());
         if let Some(((step, (before, _)), ((after, _), _))) = beside
-            && let Some(slope) = falling(before, step, after, fall, side)
+            && let Some(slope) = eased(before, step, after, fall, side)
         {
+            if let Some(last) = kept.last_mut() {
+                last.0.to = slope.from;
+            }
             kept.push((slope, surface));
             if let Some(next) = rest.peek_mut() {
                 next.0.0.from = slope.to;
@@ -73,11 +76,12 @@ fn without_steps(pieces: Vec<(Owned, bool)>, fall: f64, side: Side) -> Vec<Owned
             continue;
         }
         let led = beside.and_then(|((step, (before, _)), ((after, _), _))| {
-            led_on(before, step, after).map(|slope| (slope, after)).or_else(|| {
-                // The same seen from the other end.
-                let slope = led_on(after.reversed(), step.reversed(), before.reversed())?;
-                Some((before, slope.reversed()))
-            })
+            // Each seen from both ends.
+            let (back, front) = (after.reversed(), before.reversed());
+            let own = led_on(before, step, after).map(|slope| (slope, after));
+            let own = own.or_else(|| Some((before, led_on(back, step.reversed(), front)?.reversed())));
+            let own = own.or_else(|| Some((before, led_into(before, step, after)?)));
+            own.or_else(|| Some((led_into(back, step.reversed(), front)?.reversed(), after)))
         });
         match (led, kept.last_mut(), rest.peek_mut()) {
             (Some((before, after)), Some(last), Some(next)) => {
@@ -91,15 +95,34 @@ fn without_steps(pieces: Vec<(Owned, bool)>, fall: f64, side: Side) -> Vec<Owned
     kept
 }
 
-/// The slope in place of a step that falls from one cylinder to another, `run` times as long as high (`allowance-end-fall`); none if they are none, if the step rises, or if the second
-/// cylinder is too short.
-fn falling(before: Piece, step: Piece, after: Piece, run: f64, side: Side) -> Option<Piece> {
-    let rise = step.to.radius - step.from.radius;
-    let fall = if side == Side::Outer { Half::ZERO - rise } else { rise };
-    let along = Half::from(fall.to_mm() * run);
-    let to = Point { radius: step.to.radius, z: step.to.z + along };
-    let cylinders = before.is_cylinder() && after.is_cylinder();
-    (cylinders && fall > Half::ZERO && to.z < after.to.z).then(|| Piece::line(step.from, to))
+/// The slope in place of a step down from a raised cylinder, or up to one, `run` times as long as high (`allowance-end-fall`): over
+/// what is beside the cylinder, or over the cylinder where a slope falls from it. None where a slope beside it is as steep, which is led
+/// on itself, where a cylinder rises to the raised one, or where one of both is too short.
+fn eased(before: Piece, step: Piece, after: Piece, run: f64, side: Side) -> Option<Piece> {
+    let falls = (step.to.radius < step.from.radius) == (side == Side::Outer);
+    if falls {
+        return falling(before, step, after, run);
+    }
+    let rises = !before.is_cylinder();
+    rises.then(|| falling(after.reversed(), step.reversed(), before.reversed(), run)).flatten().map(Piece::reversed)
+}
+
+/// The same for a step down behind the cylinder, in the order of the way; backwards, Z falls.
+fn falling(cylinder: Piece, step: Piece, beside: Piece, run: f64) -> Option<Piece> {
+    let (down, along) = ((step.to.radius - step.from.radius).to_mm(), beside.direction_at_start());
+    let shallow = beside.curve == Curve::Line && along.radius.abs() * run < along.z.abs();
+    if !cylinder.is_cylinder() || !shallow {
+        return None;
+    }
+    let by = Half::from(down.abs() * run * along.z.signum());
+    if along.radius * down > 0.0 {
+        let from = Point { radius: cylinder.to.radius, z: step.from.z - by };
+        let within = (from.z - cylinder.from.z).to_mm() * along.z > 0.0;
+        return within.then(|| Piece::line(from, step.to));
+    }
+    let to = beside.at_z(step.to.z + by).first().copied()?;
+    let within = (beside.to.z - to.z).to_mm() * along.z > 0.0;
+    within.then(|| Piece::line(step.from, to))
 }
 
 /// A slope led on over the step behind it to the cylinder above; none if these are no slope, step and cylinder, or if the
@@ -114,6 +137,19 @@ fn led_on(slope: Piece, step: Piece, cylinder: Piece) -> Option<Piece> {
     let z = step.from.z + Half::from(rise * along.z / along.radius);
     let within = (cylinder.to.z - z).to_mm() * along.z > 0.0;
     within.then_some(Piece { to: Point { radius: step.to.radius, z }, ..slope })
+}
+
+/// A slope or a rounding that rises behind the step at the end of a raised cylinder, from where that cylinder runs into it: no nose
+/// makes the notch between the two. None if these are no cylinder, a step down and a rise, or if it rises less than the step.
+fn led_into(cylinder: Piece, step: Piece, rise: Piece) -> Option<Piece> {
+    let (down, up) = (step.to.radius - step.from.radius, rise.to.radius - rise.from.radius);
+    let opposite = (down < Half::ZERO) != (up < Half::ZERO) && up != Half::ZERO;
+    if !cylinder.is_cylinder() || rise.is_face() || !opposite {
+        return None;
+    }
+    let within = |at: &Point| at.z != rise.from.z && at.z != rise.to.z;
+    let corner = rise.at_radius(cylinder.to.radius).into_iter().find(within)?;
+    Some(rise.between(corner, rise.to))
 }
 
 /// A contour with its lines divided at the ends of surfaces: two cylinders of one diameter are one line of the main
@@ -253,10 +289,30 @@ mod tests {
         assert_eq!(without_steps(stepped(&rising), COT_25, Side::Outer), contour(&rising));
     }
 
-    /// A slope of 5° would lead on beyond a cylinder of 1 mm.
+    /// By hand: 0.2 over a cylinder before a slope of 45° end 0.2 farther on, where the slope is 0.2 high; the same backwards.
+    #[test]
+    fn an_allowance_runs_into_a_rise() {
+        let points = [(20.2, 0.0), (20.2, 30.0), (20.0, 30.0), (25.0, 35.0)];
+        let led = [(20.2, 0.0), (20.2, 30.2), (25.0, 35.0)];
+        assert_eq!(without_steps(stepped(&points), COT_25, Side::Outer), contour(&led));
+        let back = [(25.0, 0.0), (20.0, 5.0), (20.2, 5.0), (20.2, 30.0)];
+        let led = [(25.0, 0.0), (20.2, 4.8), (20.2, 30.0)];
+        assert_eq!(without_steps(stepped(&back), COT_25, Side::Outer), contour(&led));
+    }
+
+    /// By hand, 0.2·cot 25° = 0.4289: beside slopes of 2.5 % an allowance of 0.2 ends so far on. Where the slope falls from the seat that
+    /// is over the seat itself, where it rises over the slope, which is there 0.0107 higher.
+    #[test]
+    fn an_allowance_ends_beside_a_shallow_slope() {
+        let before = [(19.0, 0.0), (20.0, 40.0), (20.2, 40.0), (20.2, 60.0), (20.0, 60.0), (21.0, 100.0)];
+        let eased = [(19.0, 0.0), (20.0, 40.0), (20.2, 40.429), (20.2, 60.0), (20.0105, 60.429), (21.0, 100.0)];
+        assert_eq!(without_steps(stepped(&before), COT_25, Side::Outer), contour(&eased));
+    }
+
+    /// A slope of 25° would end beyond a cylinder of 0.3 mm, one of 5° all the more.
     #[test]
     fn a_cylinder_too_short_keeps_its_step() {
-        let points = [(19.0, 0.0), (20.0, 11.0), (20.2, 11.0), (20.2, 12.0)];
+        let points = [(19.0, 0.0), (20.0, 11.0), (20.2, 11.0), (20.2, 11.3)];
         assert_eq!(without_steps(stepped(&points), COT_25, Side::Outer), contour(&points));
     }
 }

@@ -9,7 +9,7 @@ use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::equidistant;
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::Place;
-use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceKind};
+use crate::turning::contour::{Contour, Curve, Piece, Side, Surface, SurfaceKind};
 use crate::turning::jobs::UNKNOWN_EDGE;
 use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
@@ -19,11 +19,13 @@ use crate::turning::schemes::rates;
 use crate::turning::shaft::Holding;
 use crate::turning::tooling::TurningTool;
 use crate::turning::workpiece::{Allowances, Workpiece};
+use crate::turning::zones::fit::reaches;
 use crate::turning::zones::{SetUp, TurnedSide};
 use crate::units::Micrometres;
 
 use super::Stage;
 use super::drill::{self, Drilled};
+use super::finishing::needs;
 use super::intermediate::left;
 use super::opened;
 use super::thin;
@@ -149,6 +151,7 @@ pub fn layers(
             return Ok(None);
         }
     };
+    let rough = without_lips(rough, &left);
     let finish = between(&rough, &left);
     let rough = up_to(rough, face);
     // A face without an allowance in the file is already made: a missing allowance of a chamfer beside it is no
@@ -193,6 +196,44 @@ pub fn layers(
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
 }
 
+/// A rough contour in which a slope with a larger allowance ends where it crosses the smaller one behind it, not with a short fall
+/// that no trailing edge goes down. Falls of the part itself stay.
+fn without_lips(mut rough: Contour, left: &Contour) -> Contour {
+    /// As short is the end of an allowance, mm.
+    const SHORT: f64 = 0.5;
+    let is_line = |piece: &Piece| piece.curve == Curve::Line;
+    let over_part = |at: Point| match (left.radii_at(at.z), left.side) {
+        (Some((_, most)), Side::Outer) => most <= at.radius,
+        (Some((least, _)), Side::Inner) => least >= at.radius,
+        (None, _) => false,
+    };
+    let mut at = 1;
+    while let Some([slope, fall, behind]) = rough.pieces.get(at - 1..at + 2) {
+        let (along, on, down) = (slope.chord().unit(), behind.chord().unit(), fall.chord());
+        let falls = if left.side == Side::Outer { down.radius < 0.0 } else { down.radius > 0.0 };
+        let turn = along.cross(on);
+        let short = falls && down.length() < SHORT && [slope, fall, behind].into_iter().all(is_line);
+        let crossing = (short && turn.abs() > 1e-6 && down.z >= 0.0 && on.z > 0.0).then(|| {
+            let between = slope.from.to(behind.from);
+            (slope.from.moved(along.times(between.cross(on) / turn)), between.cross(along) / turn)
+        });
+        let within = |(cross, beyond): &(Point, f64)| {
+            let before = slope.from.z < cross.z && cross.z < slope.to.z && *beyond < 0.0;
+            let led = (slope.to.z - cross.z).to_mm() / on.z;
+            let level = cross.moved(on.times(led));
+            before && over_part(*cross) && over_part(level)
+        };
+        match crossing.filter(within) {
+            Some((cross, _)) => {
+                let (first, last) = (slope.between(slope.from, cross), behind.between(cross, behind.to));
+                rough.pieces.splice(at - 1..at + 2, [first, last]);
+            }
+            None => at += 1,
+        }
+    }
+    rough
+}
+
 /// Whether a piece is the bottom of a bore, or its shoulder around a narrower hole.
 fn is_bottom(last: &Piece) -> bool {
     last.is_face() && last.to.radius < last.from.radius
@@ -224,7 +265,14 @@ fn faced_by_bar(
     let mut bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
     bars.retain(|bar| bar.min_bore.is_none_or(|least| least <= narrow.diameter()));
     bars.retain(|bar| tools::nearest_to_axis(bar, narrow).is_none_or(|nearest| nearest <= bottom.to.radius));
-    let mut bars = tools::reaching(bars, bottom.to.z, bench.knowledge)?;
+    // So would one whose edges do not follow the walls.
+    let mut following = Vec::new();
+    for bar in bars {
+        if reaches(needs(bore), Some(narrow.diameter()), &tools::angles(&bar, bench.knowledge)?) {
+            following.push(bar);
+        }
+    }
+    let mut bars = tools::reaching(following, bottom.to.z, bench.knowledge)?;
     let high = bottom.from.radius - bottom.to.radius;
     bars.retain(|bar| is_last || high > Half::of(bar.edge.unwrap_or(UNKNOWN_EDGE)));
     let share = Limits::of(bench.knowledge).ratio(JobLimit::BottomEdgeShare)?;

@@ -188,12 +188,10 @@ impl Valley {
         // The corner touches a shoulder no farther above the mouth than its radius.
         let [before, behind] = self.shoulders;
         let short = |piece: Piece| corner.min(piece.chord().length());
-        let before = before.map(|wall| {
-            Piece::line(wall.to.moved(wall.direction_at_end().times(-short(wall))), wall.to)
-        });
-        let behind = behind.map(|wall| {
-            Piece::line(wall.from, wall.from.moved(wall.direction_at_start().times(short(wall))))
-        });
+        let before =
+            before.map(|wall| Piece::line(wall.to.moved(wall.direction_at_end().times(-short(wall))), wall.to));
+        let behind =
+            behind.map(|wall| Piece::line(wall.from, wall.from.moved(wall.direction_at_start().times(short(wall)))));
         let pieces: Vec<Piece> = before.into_iter().chain(self.pieces.iter().copied()).chain(behind).collect();
         let last = pieces.len().saturating_sub(1);
         for (index, piece) in pieces.iter().enumerate() {
