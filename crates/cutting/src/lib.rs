@@ -27,7 +27,7 @@ use technolog_core::{error, material, note, plan, practice_speed, reason, shop};
 use technolog_knowledge::{self as knowledge, units};
 use technolog_tables as tables;
 
-use crate::error::Tried;
+use crate::error::{Refusal, Tried};
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::Because;
 use crate::plan::{Conditions, Limit, Operation};
@@ -273,6 +273,11 @@ fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<
         Operation::Mill => milling::draft(cut, taken, shop),
         // The pitch permits no other feed.
         Operation::Tap => tapping::draft(cut, shop),
+        // It is work of another machine, whose conditions are not known here.
+        Operation::Hone => {
+            let material = shop.material.designation().to_owned();
+            Err(Refusal::Not(Uncut::NoFigure { table: "cutting-speed".to_owned(), material }))
+        }
     }
 }
 

@@ -32,6 +32,7 @@ crate::vocabulary! {
         RoughReam = "rough-ream",
         FinishReam = "finish-ream",
         Tap = "tap",
+        Hone = "hone",
     }
 
     /// The shank of the cutters in a tool table.
@@ -158,6 +159,11 @@ impl Operation {
     /// Whether it is a transition of a scheme: finishing on another machine is none, tapping is one on any machine.
     pub const fn is_of_scheme(self, elsewhere: bool) -> bool {
         !elsewhere || matches!(self, Self::Tap)
+    }
+
+    /// Whether no machine of ours does it: it stands in plans as work of another machine, without tool and conditions.
+    pub const fn is_only_elsewhere(self) -> bool {
+        matches!(self, Self::Hone)
     }
 
     /// Whether it is done with a reamer.

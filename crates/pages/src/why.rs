@@ -40,18 +40,29 @@ pub fn explain(plan: &Plan, hole: &HolePlan, knowledge: &Knowledge, lang: Lang) 
         }
     }
     for (index, transition) in hole.transitions.iter().enumerate() {
-        let key = if transition.elsewhere { "explain-transition-elsewhere" } else { "explain-transition" };
+        let only = transition.operation.is_only_elsewhere();
+        let key = match transition.elsewhere {
+            true if only => "explain-transition-only-elsewhere",
+            true => "explain-transition-elsewhere",
+            false => "explain-transition",
+        };
         let mut made = Note::new(key)
             .with("number", index + 1)
             .with("verb", operation_verb(transition.operation.name(), lang))
-            .with("diameter", transition.diameter_mm)
-            .with("designation", transition.tool.designation.as_str())
-            .with("holder", transition.holder.designation.as_str());
+            .with("diameter", transition.diameter_mm);
+        if !only {
+            made = made
+                .with("designation", transition.tool.designation.as_str())
+                .with("holder", transition.holder.designation.as_str());
+        }
         if !transition.elsewhere {
             made = made.with("tool", transition.tool.number);
         }
         page.heading(2, lang.say(&made));
         page.push(Block::List(reasons(&transition.because, lang)));
+        if only {
+            continue;
+        }
         let conditions = &transition.conditions;
         let number = |value, places| Figure::number(round_to(value, places).to_string());
         page.paragraph(say!(

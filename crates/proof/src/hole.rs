@@ -126,11 +126,18 @@ impl Walk<'_, '_> {
             made_by: before.map_or(MadeBy::Solid, |before| before.made_by),
             last,
         };
+        // What another machine reaches is its own matter, but it must find stock, on the axis that the hole has.
+        if transition.operation.is_only_elsewhere() {
+            if let Some(before) = before {
+                self.stock(transition, &required, before, None, last);
+            }
+            return Ok(());
+        }
         let Some(mut reach) = Reach::of(method, transition.diameter_mm, self.shop)? else { return Ok(()) };
         // The second drill is as accurate as the first, on its axis.
         reach.own_axis = reach.own_axis.filter(|_| transition.operation != Operation::DrillOut);
         if let Some(before) = before {
-            self.stock(transition, &required, before, reach, last);
+            self.stock(transition, &required, before, reach.own_axis, last);
             self.check_largest_stock(transition, before)?;
             self.under_skin(transition, before)?;
         }
@@ -268,10 +275,10 @@ impl Walk<'_, '_> {
         transition: &Transition,
         required: &CylinderRequirements<'_>,
         before: State,
-        reach: Reach,
+        own_axis: Option<Both<Micrometres>>,
         last: bool,
     ) {
-        let shift = match (reach.own_axis, before.aside) {
+        let shift = match (own_axis, before.aside) {
             _ if before.made_by == MadeBy::BlankHole => Micrometres::ZERO,
             // The spindle returns to the same point.
             (Some(own), Some(_)) if before.led => own.best + own.best,
@@ -281,7 +288,9 @@ impl Walk<'_, '_> {
             }
             _ => Micrometres::ZERO,
         };
-        let after = if last && !transition.elsewhere {
+        let after = if transition.operation.is_only_elsewhere() {
+            required.diameter.smallest()
+        } else if last && !transition.elsewhere {
             required.diameter.smallest().max(transition.diameter_mm.min(required.diameter.largest()))
         } else {
             transition.diameter_mm

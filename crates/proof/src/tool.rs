@@ -39,13 +39,14 @@ pub(crate) fn spring(
     spread: Micrometres,
     shop: &Shop<'_>,
 ) -> Result<Option<Micrometres>, KnowledgeError> {
-    let Some((reach, bar)) = bar(transition, shop)? else { return Ok(None) };
+    let Some(Bar { reach, diameter: bar, carbide }) = bar(transition, shop)? else { return Ok(None) };
     let Some(group) = practice_group(&shop.material, shop.knowledge)? else { return Ok(None) };
     let Some(force) = shop.knowledge.ask(&SpecificCuttingForceFor { vdi: group.vdi })?.winner()? else {
         return Ok(None);
     };
     let (length, diameter) = (reach.to_mm(), bar.to_mm());
-    let modulus = limit(ProofLimit::BarElasticModulus, shop)? * 1000.0;
+    let of = if carbide { ProofLimit::CarbideBarElasticModulus } else { ProofLimit::BarElasticModulus };
+    let modulus = limit(of, shop)? * 1000.0;
     let inertia = core::f64::consts::PI * diameter * diameter * diameter * diameter / 64.0;
     let compliance = length * length * length / (3.0 * modulus * inertia);
     let feed = transition.conditions.feed_mm_per_rev.0;
@@ -121,10 +122,11 @@ fn buckles(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, Kn
     Ok((value.0 > limit.0 * SLACK).then_some(Fault::Buckles { operation, drill, flutes, value, limit }))
 }
 
-/// Checks that the overhang of a boring bar is not too long for steel.
+/// Checks that the overhang of a boring bar is not too long for steel, or for carbide.
 fn slender(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
-    let Some((reach, bar)) = bar(transition, shop)? else { return Ok(None) };
-    let ratio = limit(ProofLimit::BarOverhangRatio, shop)?;
+    let Some(Bar { reach, diameter: bar, carbide }) = bar(transition, shop)? else { return Ok(None) };
+    let of = if carbide { ProofLimit::CarbideBarOverhangRatio } else { ProofLimit::BarOverhangRatio };
+    let ratio = limit(of, shop)?;
     let operation = transition.operation;
     Ok((reach.to_mm() > bar.to_mm() * ratio).then_some(Fault::BarSlender { operation, reach, bar, ratio }))
 }
@@ -146,16 +148,25 @@ fn out_of_range(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault
 /// Checks that a boring bar enters the hole that it widens.
 fn too_thick(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
     let (operation, hole) = (transition.operation, transition.from_diameter_mm);
-    let Some((_, bar)) = bar(transition, shop)?.filter(|_| hole > Micrometres::ZERO) else { return Ok(None) };
+    let Some(Bar { diameter: bar, .. }) = bar(transition, shop)?.filter(|_| hole > Micrometres::ZERO) else { return Ok(None) };
     Ok((bar >= hole).then_some(Fault::BarEnters { operation, bar, hole }))
 }
 
-/// The reach and the diameter of the boring bar of a transition.
-fn bar(transition: &Transition, shop: &Shop<'_>) -> Result<Option<(Micrometres, Micrometres)>, KnowledgeError> {
+/// The stiffness of a boring bar: how far it goes out, and what it is made of.
+struct Bar {
+    reach: Micrometres,
+    diameter: Micrometres,
+    carbide: bool,
+}
+
+/// The boring bar of a transition.
+fn bar(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Bar>, KnowledgeError> {
     if !transition.operation.is_boring() {
         return Ok(None);
     }
-    Ok(row(transition, shop)?.and_then(|row| row.reach.zip(row.bar_diameter)))
+    Ok(row(transition, shop)?.and_then(|row| {
+        Some(Bar { reach: row.reach?, diameter: row.bar_diameter?, carbide: row.carbide_bar == Some(true) })
+    }))
 }
 
 /// The row of the cutter of a transition.

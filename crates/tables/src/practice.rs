@@ -186,6 +186,8 @@ vocabulary! {
     pub enum ProofLimit {
         BarOverhangRatio = "bar-overhang-ratio",
         BarElasticModulus = "bar-elastic-modulus",
+        CarbideBarOverhangRatio = "carbide-bar-overhang-ratio",
+        CarbideBarElasticModulus = "carbide-bar-elastic-modulus",
         BarRadialShare = "bar-radial-share",
         SpeedOverPractice = "speed-over-practice",
         DrillSection = "drill-section",

@@ -318,6 +318,24 @@ rows! {
         transitions: Option<Vec<Operation>>,
     }
 
+    /// What finishes a hole that is finer than this machine makes, and what it finds.
+    pub struct FinerElsewhere of One("finer-elsewhere") asked by FinerElsewhereFor {
+        it: ItGrade,
+        roughness: Roughness,
+    } {
+        operation: Operation,
+        before: ItGrade,
+    }
+
+    /// Stock for honing.
+    pub struct HoningAllowance of One("honing-allowance") asked by HoningAllowanceFor {
+        tolerance: Micrometres,
+        roughness: Roughness,
+    } {
+        least: Micrometres,
+        before: Roughness,
+    }
+
     /// Surface of the blank, for the speed factor.
     pub struct BlankSurface of One("surface") asked by SurfaceFor<'t> {
         skin: bool,
@@ -420,7 +438,11 @@ impl MadeBy {
             Operation::Mill => Some(Self::Mill),
             Operation::Counterbore => Some(Self::Counterbore),
             Operation::RoughReam | Operation::FinishReam => Some(Self::Ream),
-            Operation::CentreDrill | Operation::Countersink | Operation::Chamfer | Operation::Tap => None,
+            Operation::CentreDrill
+            | Operation::Countersink
+            | Operation::Chamfer
+            | Operation::Tap
+            | Operation::Hone => None,
         }
     }
 }

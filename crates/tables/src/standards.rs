@@ -49,6 +49,7 @@ rows! {
     /// Fundamental deviations of shafts.
     pub struct FundamentalDeviation of One("fundamental-deviations") asked by FundamentalDeviationFor<'t> {
         letters: &'t str,
+        grade: ItGrade,
         diameter: Micrometres,
     } {
         deviation: Micrometres,

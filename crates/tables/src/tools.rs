@@ -40,6 +40,7 @@ rows! {
         bore: Option<Micrometres>,
         pilot_bore: Option<Micrometres>,
         bar_diameter: Option<Micrometres>,
+        carbide_bar: Option<bool>,
         nose_radius: Option<Micrometres>,
         teeth: Option<i64>,
         mass: Option<Kilograms>,

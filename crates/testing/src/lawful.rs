@@ -56,6 +56,10 @@ pub fn chain(hole: &Hole, plan: &HolePlan) -> Result<(), TestCaseError> {
 /// Tools of the catalogs, conditions that are numbers and that the machine bears.
 pub fn sound(step: &Transition, plan: &Plan, machine: &Machine<'_>) -> Result<(), TestCaseError> {
     let step_text = format!("{:?} of {}", step.operation, step.diameter_mm);
+    if step.operation.is_only_elsewhere() {
+        prop_assert!(step.elsewhere && step.tool.designation.is_empty(), "{step_text}: {:?}", step.tool);
+        return Ok(());
+    }
     prop_assert!(designated(&step.tool.table, &step.tool.designation), "{step_text}: no {:?}", step.tool);
     prop_assert!(designated(&step.holder.table, &step.holder.designation), "{step_text}: no {:?}", step.holder);
     // What is done on another machine is in no magazine of this one.

@@ -4,6 +4,7 @@
 pub mod cuts;
 pub mod extremes;
 pub mod fuzzing;
+pub mod grid;
 pub mod holes;
 pub mod kinds;
 pub mod lawful;
@@ -12,6 +13,7 @@ pub mod oracle_json;
 pub mod pages;
 pub mod patterns;
 pub mod proof_bench;
+pub mod refusals;
 pub mod section;
 pub mod shafts;
 pub mod spoilt;

@@ -27,6 +27,7 @@ mod practice;
 mod proof;
 mod published;
 mod red_pencil;
+mod refusals;
 mod route_laws;
 mod schools;
 mod scrap;

@@ -4,7 +4,7 @@ use technolog::part::Deviations;
 use technolog::units::{ItGrade, Micrometres};
 use technolog_testing::KNOWLEDGE;
 
-/// 354 limits of six pages that print ISO 286-2; they share no figure with our tables, which have the deviations of ISO 286-1.
+/// 433 limits of eight pages that print ISO 286-2; they share no figure with our tables, which have the deviations of ISO 286-1.
 #[test]
 fn fields_have_the_limits_that_pages_print() {
     let printed = include_str!("../../data/iso-286-limits.csv");
@@ -20,7 +20,27 @@ fn fields_have_the_limits_that_pages_print() {
         assert_eq!(ours, Some(Deviations { upper: of(upper), lower: of(lower) }), "{line}");
         compared += 1;
     }
-    assert_eq!(compared, 354);
+    assert_eq!(compared, 433);
+}
+
+/// The deviations of holes that four other pages print, A to C and U to ZC: the limit nearest to the zero line, without Δ above
+/// grade 7. They are a second reading: our rows are those of shafts, or off a fifth page.
+#[test]
+fn holes_begin_where_tables_of_holes_have_them() {
+    let printed = include_str!("../../data/iso-286-hole-deviations.csv");
+    let mut compared = 0;
+    for line in printed.lines().skip(1) {
+        let [_, size, letters, deviation] = line.split(',').collect::<Vec<_>>()[..] else { panic!("{line}") };
+        let (size, deviation) = (size.parse().unwrap(), Micrometres::new(deviation.parse().unwrap()));
+        for grade in [8, 11] {
+            let grade = ItGrade::new(grade).unwrap();
+            let ours = Deviations::of_field(letters, grade, Micrometres::from_mm(size), &KNOWLEDGE).unwrap();
+            let ours = ours.map(|ours| if deviation > Micrometres::ZERO { ours.lower } else { ours.upper });
+            assert_eq!(ours, Some(deviation), "{line} grade {grade}");
+        }
+        compared += 1;
+    }
+    assert_eq!(compared, 194);
 }
 
 /// js7 of 10 mm is ±7.5 µm by the table and ±7 as ISO 286-1 rounds it; h11 and H7 begin at the nominal size. Nothing is told of

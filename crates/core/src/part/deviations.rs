@@ -73,7 +73,7 @@ impl Deviations {
     /// The deviations of a field by its letters and grade; none where the tables do not tell them. The half of an odd
     /// tolerance of js and JS is rounded down to a whole micrometre, as ISO 286-1 allows.
     ///
-    /// Shafts: es, ei = es - IT or ei, es = ei + IT; holes are their mirror image, K, M, N up to IT8 and P to S up to IT7
+    /// Shafts: es, ei = es - IT or ei, es = ei + IT; holes are their mirror image, K, M, N up to IT8 and P to ZC up to IT7
     /// with Δ = IT(n) - IT(n-1) added.
     ///
     /// # Errors
@@ -99,7 +99,7 @@ impl Deviations {
         if position.begins == FieldBegins::About {
             return Ok(Some(Self { upper: tolerance.half(), lower: -tolerance.half() }));
         }
-        let shaft = FundamentalDeviationFor { letters: position.of, diameter: size };
+        let shaft = FundamentalDeviationFor { letters: position.of, grade, diameter: size };
         let shaft = knowledge.ask(&shaft)?.need(position.of)?.deviation;
         let delta = match ItGrade::new(grade.number() - 1).filter(|_| position.delta) {
             Some(finer) if finer.number() >= FINEST => tolerance - width(finer)?,

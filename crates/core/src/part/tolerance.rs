@@ -82,7 +82,7 @@ impl ToleratedDiameter {
     pub fn parse(text: &str, knowledge: &Knowledge) -> Result<Self, Note> {
         // Cyrillic letters that look like Latin ones are typed as often.
         let written = without_sign(text);
-        let text = latin(&written.replace('н', "H"));
+        let text = latin(&written.replace('н', "H").replace('У', "Y"));
         if let Some(what_to_write) = of_drawing(&text) {
             return Err(what_to_write);
         }
@@ -282,6 +282,22 @@ mod tests {
             ("40F8", 64, 25),
             ("Ø10К7", 5, -10),
             ("16Р7", -11, -29),
+            ("20А11", 430, 300),
+            ("30В12", 370, 160),
+            ("25С11", 240, 110),
+            ("8CD9", 92, 56),
+            ("6EF8", 32, 14),
+            ("10FG7", 23, 8),
+            ("40J7", 14, -11),
+            ("30Т7", -33, -54),
+            ("50U8", -70, -109),
+            ("16V8", -39, -66),
+            ("24Х7", -46, -67),
+            ("30У8", -75, -108),
+            ("40Z8", -112, -151),
+            ("8ZA7", -46, -61),
+            ("20ZB9", -136, -188),
+            ("60ZC10", -405, -525),
         ] {
             let read = ToleratedDiameter::parse(text, &knowledge).unwrap_or_else(|_| panic!("{text}"));
             assert_eq!((read.upper, read.lower), (Micrometres::new(upper), Micrometres::new(lower)), "{text}");
@@ -317,7 +333,7 @@ mod tests {
             ("8H", "lacks the grade after `H`, as in `8H7`"),
             ("H7", "as in `10H7`"),
             ("8h7", "is the field of a shaft; holes have capital letters: `8H7`"),
-            ("8ZA7", "`ZA7` is not a tolerance field of a hole"),
+            ("8V7", "`V7` is not a tolerance field of a hole"),
         ] {
             let why = ToleratedDiameter::parse(text, &knowledge).unwrap_err();
             let said = technolog_words::Lang::EN.say(&why);

@@ -48,11 +48,13 @@ pub enum Limit {
     FeedMax,
     /// The smallest feed.
     FeedMin,
+    /// Another machine does it, by conditions that are not known here: all figures but the depth of cut are 0.
+    AnotherMachine,
 }
 
 impl Limit {
     /// All limits with their names in plans.
-    pub const NAMES: [(&'static str, Self); 10] = [
+    pub const NAMES: [(&'static str, Self); 11] = [
         ("cutting-speed", Self::CuttingSpeed),
         ("practice-speed", Self::PracticeSpeed),
         ("drill-strength", Self::DrillStrength),
@@ -63,6 +65,7 @@ impl Limit {
         ("spindle-speed-min", Self::SpindleSpeedMin),
         ("feed-max", Self::FeedMax),
         ("feed-min", Self::FeedMin),
+        ("another-machine", Self::AnotherMachine),
     ];
 
     /// Its name in plans.
@@ -246,6 +249,30 @@ pub struct Conditions {
     pub card: Option<CardPoint>,
     /// The rows behind the figures.
     pub because: Vec<Because>,
+}
+
+impl Conditions {
+    /// Those of work that only another machine does: but for its stock, here half of that on the diameter, they are not known.
+    pub fn of_another_machine(stock: Micrometres) -> Self {
+        Self {
+            depth_of_cut_mm: stock.to_mm() / 2.0,
+            feed_mm_per_rev: MillimetresPerRev(0.0),
+            speed_m_per_min: MetresPerMinute(0.0),
+            spindle_rpm: RevsPerMinute(0.0),
+            feed_mm_per_min: MillimetresPerMinute(0.0),
+            axial_force_n: None,
+            torque_n_m: None,
+            power_kw: None,
+            machine_time_min: Minutes(0.0),
+            limited_by: Limit::AnotherMachine,
+            tool_life_min: Minutes(0.0),
+            coolant: None,
+            computed_speed_m_per_min: MetresPerMinute(0.0),
+            rounds: None,
+            card: None,
+            because: Vec::new(),
+        }
+    }
 }
 
 /// How an end mill goes round in a hole: at every level it takes the stock in equal radial passes, and a last thin one where it

@@ -195,6 +195,9 @@ fn rank(tools: &mut [(usize, Rc<FittedTool>)], drafts: &[HoleDraft]) {
 }
 
 fn transition(fitted: &Fitted, tools: &[Rc<FittedTool>]) -> Option<Transition> {
+    if fitted.step.operation.is_only_elsewhere() {
+        return Some(fitted.transition(0));
+    }
     let tool = fitted.tool.as_ref()?;
     let number = tools.iter().zip(1..).find(|(known, _)| same_tool(known, tool)).map(|(_, number)| number);
     // Work on another machine has no place in this magazine.

@@ -6,11 +6,13 @@
 //! share tools (`choose`). At last the tools of the whole part are collected (`magazine`).
 //!
 //! - `options`: the routes of a group; `sources`: how routes are found, tried and filed;
-//! - `nearest`: the depth at which a hole that nothing makes can be made;
+//! - `finer`: holes that another machine finishes;
+//! - `nearest`: what is possible beside a hole that is not;
 //! - `whole`: the steps of a whole hole for one candidate; `step_drill`: hole and opening by one drill;
 //! - `fit`: cutter, holder and conditions of each step, with `fit/centring` and `fit/reach`.
 
 mod choose;
+mod finer;
 mod fit;
 mod magazine;
 mod names;
@@ -36,6 +38,9 @@ use choose::{Chooser, ComparedRoutes};
 pub use fit::feed_travel;
 use fit::{Fitted, Fitting};
 use options::{Choice, Options};
+
+/// Of so many groups without a route the nearest possible hole is looked for: each costs as much as ten other groups.
+const MOST_NEAREST: usize = 20;
 
 /// The draft of a group's plan: its route and fitted steps, if a route was accepted.
 struct HoleDraft {
@@ -93,12 +98,15 @@ pub fn plan_by(
         (hole.diameter.nominal, grade, roughness, hole.depth, points, &hole.name)
     });
     let mut chooser = Chooser::new(part, preference, &shop)?;
+    let mut told = 0;
     for &index in &order {
         let hole = &part.holes[index];
         match Refusal::split(options::options(hole, part, preference, (&chooser.drills(), &drills), &shop))? {
             Ok(mut options) => {
-                if options.choices.is_empty() && options.impossible.is_empty() {
-                    options.nearest = nearest::depth(hole, part, preference, (&chooser.drills(), &drills), &shop)?;
+                if options.choices.is_empty() && options.impossible.is_empty() && told < MOST_NEAREST {
+                    told += 1;
+                    let drills = (&*chooser.drills(), &*drills);
+                    options.nearest = nearest::nearest(hole, part, preference, drills, &shop)?;
                 }
                 chooser.add(index, options);
             }
@@ -192,7 +200,9 @@ fn draft(
         return Ok(HoleDraft { route: None, steps: Vec::new() });
     };
     let steps = choice.steps.clone();
-    if choice.candidate.finish_elsewhere {
+    if let Some(left) = steps.last().filter(|fitted| fitted.step.operation.is_only_elsewhere()) {
+        report(Severity::Note, finer::remark(hole, left));
+    } else if choice.candidate.finish_elsewhere {
         let here = steps.iter().map(|fitted| &fitted.step).filter(|step| !step.elsewhere);
         let opened = here.filter(|step| step.place.feature == Feature::Bore).map(|step| step.diameter).max();
         let note = Note::new("finish-elsewhere").with("scheme", Figure::scheme(&choice.candidate.scheme));

@@ -1,21 +1,28 @@
-//! For a hole that nothing makes: the nearest depth at which the same hole can be made.
+//! For a hole that nothing makes: the nearest depth at which the same hole can be made or, if no depth helps, the grade and
+//! roughness.
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::Note;
-use crate::part::{Hole, Part};
+use crate::part::{Hole, Part, ToleratedDiameter, tolerance_width};
 use crate::plan::Preference;
 use crate::shop::Shop;
 use crate::tooling::DrillSize;
-use crate::units::Micrometres;
+use crate::units::{ItGrade, Micrometres, Microns, Roughness};
 
-use super::options;
+use super::options::{self, Choice};
 
 /// What a millimetre is.
 const MM: i64 = 1000;
+/// The roughness that a grade is asked for with, Ra, from the finest grade on: a step or two coarser than each reaches, so that
+/// the grade decides.
+const WITH: [(u8, f64); 4] = [(7, 1.25), (8, 2.5), (11, 6.3), (14, 12.5)];
 
-/// The deepest hole of the same size, in whole millimetres, that can be made; of a through hole the thickest blank. None where no
-/// depth helps, and for stepped holes, of which more than one depth may be meant.
-pub(super) fn depth(
+/// The nearest possible hole beside one that is not; none for stepped holes, of which more than one depth may be meant, and where
+/// nothing near is possible.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub(super) fn nearest(
     hole: &Hole,
     part: &Part,
     preference: Preference,
@@ -25,6 +32,49 @@ pub(super) fn depth(
     if !hole.steps.is_empty() {
         return Ok(None);
     }
+    match depth(hole, part, preference, drills, shop)? {
+        Some(found) => Ok(Some(found)),
+        None => grade(hole, part, preference, drills, shop),
+    }
+}
+
+/// The finest grade, with a roughness that goes with it, at which the same hole can be made; none for threads and counterbores.
+fn grade(
+    hole: &Hole,
+    part: &Part,
+    preference: Preference,
+    drills: (&[Micrometres], &[DrillSize]),
+    shop: &Shop<'_>,
+) -> Result<Option<Note>, KnowledgeError> {
+    if hole.thread.is_some() || hole.counterbore.is_some() {
+        return Ok(None);
+    }
+    for (finest, ra) in WITH {
+        let Some(it) = ItGrade::new(hole.diameter.it.number().max(finest)) else { continue };
+        let roughness = hole.roughness.max(Roughness::from_ra(Microns(ra)));
+        if it == hole.diameter.it && roughness == hole.roughness {
+            continue;
+        }
+        let Ok(width) = tolerance_width(it, hole.diameter.nominal, shop.knowledge) else { continue };
+        let diameter = ToleratedDiameter { upper: hole.diameter.lower + width, it, ..hole.diameter.clone() };
+        let coarser = Hole { diameter, roughness, ..hole.clone() };
+        let found = Refusal::split(options::options(&coarser, part, preference, drills, shop))?;
+        if found.is_ok_and(|found| found.choices.iter().any(Choice::meets_requirements)) {
+            return Ok(Some(Note::new("nearest-grade").with("it", it).with("roughness", roughness)));
+        }
+    }
+    Ok(None)
+}
+
+/// The deepest hole of the same size, in whole millimetres, that can be made; of a through hole the thickest blank. None where no
+/// depth helps.
+fn depth(
+    hole: &Hole,
+    part: &Part,
+    preference: Preference,
+    drills: (&[Micrometres], &[DrillSize]),
+    shop: &Shop<'_>,
+) -> Result<Option<Note>, KnowledgeError> {
     let works = |depth: i64| -> Result<bool, KnowledgeError> {
         let depth = Micrometres::new(depth * MM);
         let mut hole = hole.clone();

@@ -20,6 +20,7 @@ use crate::tables::rules::{BoringAsked, BoringForPositionFor, ToolTables};
 use crate::tooling::DrillSize;
 use crate::units::{Micrometres, Minutes};
 
+use super::finer::Finer;
 use super::fit::{Fitted, Fitting};
 use super::sources::{no_candidate, refused};
 use super::whole::{Finder, edges, rapids_between, smallest_bore};
@@ -150,13 +151,40 @@ impl Options {
     }
 }
 
-/// Every route of a group of holes. A free floor is made flat where no route leaves the cone of a drill: its point may come
-/// through the part, and what a flat floor permits is permitted by a free one. Under a blind thread without room for the usual
-/// run-out the drill goes as deep as the lead of the tap.
+/// Every route of a group of holes. Where none holds grade and roughness, the hole is left for another machine to finish.
 ///
 /// # Errors
 /// The knowledge base has no answer. What makes the whole group impossible is a refusal, not an error.
 pub(super) fn options(
+    hole: &Hole,
+    part: &Part,
+    preference: Preference,
+    drills: (&[Micrometres], &[DrillSize]),
+    shop: &Shop<'_>,
+) -> Tried<Options> {
+    let own = options_here(hole, part, preference, drills, shop)?;
+    if own.choices.iter().any(Choice::meets_requirements) {
+        return Ok(own);
+    }
+    let Some(finer) = Finer::of(hole, shop)? else { return Ok(own) };
+    let mut left = options_here(&finer.here, part, preference, drills, shop)?;
+    left.choices.retain(Choice::meets_requirements);
+    if left.choices.is_empty() || left.impossible.len() > own.impossible.len() {
+        return Ok(own);
+    }
+    left.choices = left.choices.into_iter().map(|choice| finer.finished(choice)).collect();
+    let more: Vec<RefusedRoute> = own.refused.into_iter().filter(|why| !left.refused.contains(why)).collect();
+    left.refused.extend(more);
+    Ok(left)
+}
+
+/// Every route of a group of holes on this machine. A free floor is made flat where no route leaves the cone of a drill: its
+/// point may come through the part, and what a flat floor permits is permitted by a free one. Under a blind thread without room
+/// for the usual run-out the drill goes as deep as the lead of the tap.
+///
+/// # Errors
+/// As for [`options`].
+fn options_here(
     hole: &Hole,
     part: &Part,
     preference: Preference,
@@ -274,7 +302,7 @@ fn options_as_drawn(
         }
     }
     if options.choices.is_empty()
-        && let Some(short) = too_short(&options.refused, all_drills, &drills)
+        && let Some(short) = too_short(&options.refused, all_drills, &drills, shop.machine.drill_max)
     {
         let needed = fitting.drill_reach(&main.place, short.diameter);
         let why = Reason::DrillsTooShort { diameter: short.diameter, reach: short.reach, needed };
@@ -364,12 +392,20 @@ fn edges_with_reasons(
     Ok(steps)
 }
 
-/// The largest drill of a size that a route lacked and that the catalogs have only too short.
-fn too_short(refused: &[RefusedRoute], all: &[DrillSize], reaching: &[Micrometres]) -> Option<DrillSize> {
-    let lacked = refused.iter().find_map(|other| match other.why {
-        Reason::NoDrillInAllowance { low, high, .. } => Some(low..=high),
-        _ => None,
-    })?;
-    let sizes = all.iter().rev();
-    sizes.copied().find(|size| lacked.contains(&size.diameter) && !reaching.contains(&size.diameter))
+/// The largest drill of a size that a route lacked, that the machine takes and that the catalogs have only too short.
+fn too_short(
+    refused: &[RefusedRoute],
+    all: &[DrillSize],
+    reaching: &[Micrometres],
+    most: Micrometres,
+) -> Option<DrillSize> {
+    let short = |size: &&DrillSize| size.diameter <= most && !reaching.contains(&size.diameter);
+    refused.iter().find_map(|other| {
+        let lacked = match other.why {
+            Reason::NoDrillInAllowance { low, high, .. } => low..=high,
+            Reason::NoDrillBefore { largest, .. } => Micrometres::ZERO..=largest,
+            _ => return None,
+        };
+        all.iter().rev().filter(short).find(|size| lacked.contains(&size.diameter)).copied()
+    })
 }

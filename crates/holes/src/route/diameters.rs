@@ -221,7 +221,7 @@ impl BackwardStep<'_, '_> {
             | Operation::FinishReam
             | Operation::SemiFinishBore
             | Operation::FinishBore => vec![this.finishing()?],
-            Operation::Countersink | Operation::Chamfer => {
+            Operation::Countersink | Operation::Chamfer | Operation::Hone => {
                 return Err(Refusal::Not(Reason::NotPlanned { operation }));
             }
         };

@@ -12,7 +12,7 @@ use crate::report::operation_noun;
 pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     let mut rows: Vec<(Vec<&str>, Vec<Inlines>)> = Vec::new();
     for hole in &plan.holes {
-        for transition in &hole.transitions {
+        for transition in hole.transitions.iter().filter(|own| !own.operation.is_only_elsewhere()) {
             let row = cells(transition, lang);
             // Groups with exactly the same transition share its line.
             match rows.iter_mut().find(|(_, known)| *known == row) {
@@ -105,7 +105,7 @@ fn coolant(plan: &Plan, lang: Lang) -> Option<Inlines> {
 fn limits(plan: &Plan, lang: Lang) -> Vec<Item> {
     let mut lines: Vec<String> = Vec::new();
     for hole in &plan.holes {
-        for transition in &hole.transitions {
+        for transition in hole.transitions.iter().filter(|own| !own.operation.is_only_elsewhere()) {
             let conditions = &transition.conditions;
             let operation = || Figure::operation(transition.operation.name());
             if conditions.limited_by != Limit::CuttingSpeed {

@@ -124,7 +124,10 @@ fn step(plan: &Plan, hole: &HolePlan, transition: &Transition, lang: Lang) -> Ve
         content(plan, hole, transition, lang).into(),
         hole.route.as_ref().map_or_else(String::new, |route| route_text(route, lang)).into(),
         place(transition).into(),
-        format!("{}{}", transition.tool.designation, mark(&transition.because)).into(),
+        match transition.tool.designation.as_str() {
+            "" => NONE.into(),
+            own => format!("{own}{}", mark(&transition.because)).into(),
+        },
         achieved(transition.achieved.as_ref(), lang).into(),
     ]
 }

@@ -128,6 +128,7 @@ explain-others = Other routes, and why they were not taken
 explain-other-route = { $route }: { $why }
 explain-other-route-timed = { $route }, { $time } min: { $why }
 explain-made = { $operation } Ø{ $diameter }
+explain-transition-only-elsewhere = { $number }. { $verb } Ø{ $diameter } on another machine
 explain-transition-elsewhere = { $number }. { $verb } Ø{ $diameter } on another machine – { $designation }, { $holder }
 explain-transition = { $number }. { $verb } Ø{ $diameter } – T{ $tool } { $designation }, { $holder }
 explain-conditions = S = { $feed } mm/rev, V = { $speed } m/min, n = { $rpm } rpm

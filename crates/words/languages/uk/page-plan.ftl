@@ -117,6 +117,7 @@ explain-others = Інші маршрути і чому не вони
 explain-other-route = { $route }: { $why }
 explain-other-route-timed = { $route }, { $time } хв: { $why }
 explain-made = { $operation } Ø{ $diameter }
+explain-transition-only-elsewhere = { $number }. { $verb } Ø{ $diameter } на іншому верстаті
 explain-transition-elsewhere = { $number }. { $verb } Ø{ $diameter } на іншому верстаті – { $designation }, { $holder }
 explain-transition = { $number }. { $verb } Ø{ $diameter } – T{ $tool } { $designation }, { $holder }
 explain-conditions = S = { $feed } мм/об, V = { $speed } м/хв, n = { $rpm } об/хв

@@ -20,8 +20,9 @@ impl<'a, 'k> BackwardStep<'a, 'k> {
     pub(super) fn rough_bore(self) -> Tried<Vec<RouteStep>> {
         let Self { leaves: after, previous, bore, sizes, shop, .. } = self;
         let allowance = allowance(Operation::RoughBore, after, bore.diameter.nominal, previous, shop)?;
-        let bars = self.rough_bars()?;
-        let chain = |from| self.chain(from, &bars, &allowance);
+        let [steel, all] = self.rough_bars()?;
+        // Bars with a carbide shank are for what those of steel do not reach.
+        let chain = |from| self.chain(from, &steel, &allowance).or_else(|_| self.chain(from, &all, &allowance));
         let largest = after - allowance.low;
         let drills = || sizes.drills.iter().rev().copied().filter(|drill| *drill <= largest);
         match previous {
@@ -51,15 +52,17 @@ impl<'a, 'k> BackwardStep<'a, 'k> {
         }
     }
 
-    /// The bars for roughing that reach the end of the cylinder; all of them where none does, so that the one that comes nearest
-    /// tells by how much.
-    fn rough_bars(self) -> Tried<Vec<&'a CutterRow<'k>>> {
+    /// The bars for roughing that reach the end of the cylinder, those of steel and all; all of them where none does, so that the
+    /// one that comes nearest tells by how much.
+    fn rough_bars(self) -> Tried<[Vec<&'a CutterRow<'k>>; 2]> {
         let mut bars = self.shop.shelf.cutters_for(Operation::RoughBore)?;
         bars.retain(|bar| bar.stage == Some(BoringStage::Rough));
         let needed = self.bore.place.depth + self.sizes.overruns[usize::from(self.bore.place.through)];
         let reaches = |bar: &&CutterRow<'_>| bar.reach.is_some_and(|reach| reach >= needed);
         let able: Vec<&'a CutterRow<'k>> = bars.iter().copied().filter(reaches).collect();
-        Ok(if able.is_empty() { bars } else { able })
+        let all = if able.is_empty() { bars } else { able };
+        let steel = all.iter().copied().filter(|bar| bar.carbide_bar != Some(true)).collect();
+        Ok([steel, all])
     }
 
     /// The steps of rough boring from a hole of that diameter, one for each bar: where the bar for the final size does not
