@@ -105,13 +105,14 @@ impl<'k> Shop<'k> {
         Ok(if fine && own_field { (diameter.smallest() + diameter.largest()).half() } else { diameter.target() })
     }
 
-    /// The diameter that the last transition aims at: of a bar, which is set to any size, the middle of the field, so that its
-    /// spring and its wear may go either way; of other tools that of [`Self::aimed`].
+    /// The diameter that the last transition aims at: of a finishing bar, which is set to any size, the middle of the field, so
+    /// that its spring and its wear may go either way; of other tools that of [`Self::aimed`].
     ///
     /// # Errors
     /// As for [`Self::aimed`].
     pub fn aimed_by(&self, operation: Operation, diameter: &ToleratedDiameter) -> Result<Micrometres, KnowledgeError> {
-        if operation.is_boring() { Ok((diameter.smallest() + diameter.largest()).half()) } else { self.aimed(diameter) }
+        let finishing = matches!(operation, Operation::SemiFinishBore | Operation::FinishBore);
+        if finishing { Ok((diameter.smallest() + diameter.largest()).half()) } else { self.aimed(diameter) }
     }
 
     /// Whether an operation uses coolant where its speed does not say so, by the rule `coolant`.

@@ -22,14 +22,15 @@ use super::{Cut, CutMotion, DraftConditions, Loads, PowerLaw, factors, feed, law
 /// - M = Cp·t^x·sz^y·D·z/200·Kp, N·m, with Cp, x, y of turning (table `boring-force`), sz = s/z in mm/tooth;
 /// - D, t in mm, s in mm/rev, T in min, z the number of teeth.
 pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut> {
-    let Feed { feed, mut because, doubts } = corrected_feed(cut, shop)?.with_feed(taken);
+    let (corrected, held_from) = held_feed(cut, shop)?;
+    let Feed { feed, mut because, doubts } = corrected.with_feed(taken);
     let (tool_life, life) = factors::tool_life(Coefficients::Ream, cut, shop)?;
     because.extend(life);
     let (law, figures) = laws::speed(Coefficients::Ream, cut.tool_material, feed, shop)?;
     because.extend(figures.because(Note::new("speed-coefficients").with("cv", law.cv)));
-    // A rough reamer whose feed is held to practice gains no speed by it: the figure belongs to the feed of the table.
-    let tabulated = if cut.roughness.is_none() { feed::tabulated(cut, shop)?.feed.0 } else { 0.0 };
-    let mut speed = law.at(cut.diameter.to_mm(), cut.depth_of_cut(), feed.0.max(tabulated), tool_life.0);
+    // A rough reamer whose feed is held to practice gains no speed by it.
+    let slowest = held_from.filter(|_| cut.roughness.is_none()).map_or(feed.0, |table| feed.0.max(table.0));
+    let mut speed = law.at(cut.diameter.to_mm(), cut.depth_of_cut(), slowest, tool_life.0);
     if figures.is_own_group() {
         let (factor, reason) = factors::material_speed(Process::Drilling, cut.tool_material, shop)?;
         speed *= factor;
@@ -89,6 +90,12 @@ pub(super) fn limit_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &S
 /// apply, and whether the feed is at most that of practice (`practice-feed`); in a blind hole it stays within the limits of the table
 /// of factors.
 pub(super) fn corrected_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Feed, Uncut> {
+    held_feed(cut, shop).map(|(feed, _)| feed)
+}
+
+/// As [`corrected_feed`], with the feed that it would be if practice did not hold it; none where it does not.
+fn held_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<(Feed, Option<MillimetresPerRev>), Uncut> {
+    let mut held_from = None;
     let knowledge = shop.knowledge();
     let Feed { feed, mut because, doubts } = feed::tabulated(cut, shop)?;
     let mut feed = feed.0;
@@ -121,6 +128,7 @@ pub(super) fn corrected_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Fee
             let note =
                 Note::new("reaming-feed-practice").with("table", round_to(feed, 3)).with("feed", row.feed_high.0);
             because.push(Because::row(row.row, note));
+            held_from = Some(MillimetresPerRev(feed));
             feed = row.feed_high.0;
         }
     }
@@ -131,7 +139,7 @@ pub(super) fn corrected_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Fee
         }
         feed = feed.max(low).min(high);
     }
-    Ok(Feed { feed: MillimetresPerRev(feed), because, doubts })
+    Ok((Feed { feed: MillimetresPerRev(feed), because, doubts }, held_from))
 }
 
 /// The torque as a power law of the feed; absent without a row of forces, because it is not guessed.

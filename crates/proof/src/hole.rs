@@ -152,7 +152,8 @@ impl Walk<'_, '_> {
     }
 
     /// An end mill that only levels a floor leaves the cylinder as it is down to where the tools before it ended. Below that it
-    /// makes the wall itself, in one cut without a finishing round: as wide and as rough as roughing mills do.
+    /// makes the wall itself: after a drill it takes the rest of its cone away; after other tools, which ended above that cone,
+    /// it has the wall of the drill to widen, too, and does so in one cut without a finishing round.
     fn wall_over_floor(
         &mut self,
         transition: &Transition,
@@ -165,8 +166,12 @@ impl Walk<'_, '_> {
             return Ok(());
         }
         state.depth = transition.depth_mm;
-        let method =
-            MethodKey { operation: transition.operation, centred: self.centred, made_by: state.made_by, last: false };
+        let method = MethodKey {
+            operation: transition.operation,
+            centred: self.centred,
+            made_by: state.made_by,
+            last: state.made_by == MadeBy::Drill,
+        };
         if let Some(reach) = Reach::of(method, transition.diameter_mm, self.shop)? {
             let width = reach.width(transition.diameter_mm, self.shop).unwrap_or_default();
             state.largest = state.largest.max(transition.diameter_mm + width);

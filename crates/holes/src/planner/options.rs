@@ -325,10 +325,7 @@ impl Finder<'_, '_> {
     fn exclude_by_boring_rule(&self, options: &mut Options) -> Result<(), KnowledgeError> {
         let boring = self.boring_required()?;
         let bores = |choice: &Choice| choice.candidate.transitions.iter().any(|operation| operation.is_boring());
-        // Nor with what goes down to a flat floor: a bar finishes more of the wall there than a reamer with its lead.
-        let floor = self.task.main.flat && !boring;
-        let stands_back =
-            |choice: &Choice| !floor && choice.candidate.source != RouteSource::Tables && bores(choice) != boring;
+        let stands_back = |choice: &Choice| choice.candidate.source != RouteSource::Tables && bores(choice) != boring;
         options.not_bored = !boring && self.close()?;
         // The text compares boring with drills, core drills and reamers: beside a mill, time decides.
         let mills = |choice: &Choice| {
@@ -337,7 +334,11 @@ impl Finder<'_, '_> {
             })
         };
         let goes_first = |choice: &Choice| !stands_back(choice) && (boring || !mills(choice));
-        let other = options.choices.iter().any(|choice| choice.meets_requirements() && goes_first(choice));
+        // Nor does it compare them over a flat floor, where a reamer stops higher, by its lead, than a bar.
+        let gap = self.shop.convention(HoleDefault::FlatFloorGap)?;
+        let down = |choice: &Choice| boring || choice.over_floor() <= gap;
+        let other =
+            options.choices.iter().any(|choice| choice.meets_requirements() && goes_first(choice) && down(choice));
         if !other {
             options.not_bored = self.close()? && !options.choices.iter().any(bores);
             return Ok(());
