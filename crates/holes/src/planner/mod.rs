@@ -105,7 +105,13 @@ pub fn plan_by(
             Ok(mut options) => {
                 if options.choices.is_empty() && told < MOST_NEAREST {
                     told += 1;
-                    options.remarks.extend(nearest::nearest(hole, part, preference, (&chooser.drills(), &drills), &shop)?);
+                    options.remarks.extend(nearest::nearest(
+                        hole,
+                        part,
+                        preference,
+                        (&chooser.drills(), &drills),
+                        &shop,
+                    )?);
                 }
                 chooser.add(index, options);
             }
