@@ -148,7 +148,9 @@ fn out_of_range(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault
 /// Checks that a boring bar enters the hole that it widens.
 fn too_thick(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
     let (operation, hole) = (transition.operation, transition.from_diameter_mm);
-    let Some(Bar { diameter: bar, .. }) = bar(transition, shop)?.filter(|_| hole > Micrometres::ZERO) else { return Ok(None) };
+    let Some(Bar { diameter: bar, .. }) = bar(transition, shop)?.filter(|_| hole > Micrometres::ZERO) else {
+        return Ok(None);
+    };
     Ok((bar >= hole).then_some(Fault::BarEnters { operation, bar, hole }))
 }
 

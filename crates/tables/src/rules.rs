@@ -438,11 +438,9 @@ impl MadeBy {
             Operation::Mill => Some(Self::Mill),
             Operation::Counterbore => Some(Self::Counterbore),
             Operation::RoughReam | Operation::FinishReam => Some(Self::Ream),
-            Operation::CentreDrill
-            | Operation::Countersink
-            | Operation::Chamfer
-            | Operation::Tap
-            | Operation::Hone => None,
+            Operation::CentreDrill | Operation::Countersink | Operation::Chamfer | Operation::Tap | Operation::Hone => {
+                None
+            }
         }
     }
 }

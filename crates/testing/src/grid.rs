@@ -5,17 +5,8 @@ use std::fmt;
 /// Diameters, mm: below 20, and from there on those of bearings and bushes.
 const DIAMETERS: [u32; 22] = [3, 4, 5, 6, 8, 10, 12, 14, 16, 18, 20, 22, 25, 28, 30, 35, 40, 47, 52, 62, 72, 80];
 /// Grades of H with the roughness Ra that goes with them.
-const FINISHES: [(u8, &str); 9] = [
-    (6, "0.8"),
-    (7, "0.8"),
-    (7, "1.6"),
-    (8, "1.6"),
-    (8, "3.2"),
-    (9, "3.2"),
-    (11, "6.3"),
-    (12, "12.5"),
-    (14, "12.5"),
-];
+const FINISHES: [(u8, &str); 9] =
+    [(6, "0.8"), (7, "0.8"), (7, "1.6"), (8, "1.6"), (8, "3.2"), (9, "3.2"), (11, "6.3"), (12, "12.5"), (14, "12.5")];
 /// Depths in tenths of the diameter.
 const DEPTHS: [u32; 7] = [5, 10, 20, 30, 50, 80, 120];
 /// One material of each group, and a second steel.

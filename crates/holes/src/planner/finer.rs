@@ -39,7 +39,9 @@ impl<'k> Finer<'k> {
             return Ok(None);
         }
         let (drawn, roughness, knowledge) = (&hole.diameter, hole.roughness, shop.knowledge);
-        let Some(asked) = knowledge.ask_within(&FinerElsewhereFor { it: drawn.it, roughness })? else { return Ok(None) };
+        let Some(asked) = knowledge.ask_within(&FinerElsewhereFor { it: drawn.it, roughness })? else {
+            return Ok(None);
+        };
         let Some(rule) = asked.winner()? else { return Ok(None) };
         let Ok(tolerance) = tolerance_width(rule.before, drawn.nominal, knowledge) else { return Ok(None) };
         let Some(stock) = knowledge.ask_within(&HoningAllowanceFor { tolerance, roughness })? else { return Ok(None) };
