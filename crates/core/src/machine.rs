@@ -104,6 +104,8 @@ pub struct Machine<'k> {
     pub table_length: Option<Micrometres>,
     /// Width of its table, along Y; absent if the record does not say.
     pub table_width: Option<Micrometres>,
+    /// Whether its record says how many T-slots it has, which are then all lengthwise.
+    pub slots: bool,
     /// The spindle's steps, ascending.
     pub spindle_steps: Vec<RevsPerMinute>,
     /// Power of the main drive.
@@ -240,6 +242,7 @@ impl<'k> Machine<'k> {
             control: record.row(Q::Control).and_then(|row| row.text),
             table_length: length_if_any(Q::TableLength),
             table_width: length_if_any(Q::TableWidth),
+            slots: any(Q::TSlots).is_some(),
             spindle_steps: record.values(Q::SpindleSpeeds).into_iter().flatten().copied().map(RevsPerMinute).collect(),
             spindle_power: Kilowatts(number(Q::SpindlePower)?),
             spindle_torque: NewtonMetres(number(Q::SpindleTorqueMax)?),

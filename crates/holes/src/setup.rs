@@ -1,9 +1,11 @@
 //! Clamping: the force that holds the part against torques and side forces, and the screw that gives this force.
 //!
 //! - `hold`: whether the places of the clamps hold it against turning and tipping;
+//! - `fixture`: its kind, and how table, fixture and part are located;
 //! - `vice`: a vice, where clamps find no place;
 //! - `stand`: where the part stands and its zeros, of the job.
 
+mod fixture;
 mod hold;
 mod stand;
 mod vice;
@@ -87,6 +89,7 @@ pub fn vice_instead(
     }
 }
 
+pub use fixture::fixture;
 pub use stand::stands;
 
 /// The force that a transition needs, by the formula that asks for more.

@@ -19,6 +19,7 @@ vocabulary! {
         TravelZ = "travel-z",
         TableLength = "table-length",
         TableWidth = "table-width",
+        TSlots = "t-slots",
         NoseToTableMin = "nose-to-table-min",
         NoseToTableMax = "nose-to-table-max",
         SpindleToColumn = "spindle-to-column",

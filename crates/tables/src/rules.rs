@@ -156,6 +156,31 @@ rows! {
         load: PartLoad,
     }
 
+    /// The kind of fixture.
+    pub struct FixtureKindOf of One("fixture-kind") asked by FixtureKindFor {
+        held: HeldBy,
+        stiff: bool,
+        family: bool,
+    } {
+        kind: FixtureKind,
+    }
+
+    /// How a fixture is keyed to the table.
+    pub struct FixtureKeying of One("fixture-keying") asked by FixtureKeyingFor {
+        cross_element: bool,
+        plate: bool,
+    } {
+        keying: TableKeying,
+    } shown { trued }
+
+    /// How the part is located in its fixture.
+    pub struct PartLocatingBy of One("part-locating") asked by PartLocatingFor {
+        fine_holes: f64,
+        from_contour: bool,
+    } {
+        locating: PartLocating,
+    }
+
     /// The share of the machine's limit that a load may take.
     pub struct LoadMargin of One("load-margin") asked by LoadMarginFor {
         load: Load,

@@ -1,7 +1,7 @@
 //! The set-up of a part: on the table, within reach, held.
 
 use technolog::note::{Finding, Severity};
-use technolog::plan::{CuttingMethod, JawsAlong, Plan};
+use technolog::plan::{CuttingMethod, FixtureKind, HeldBy, JawsAlong, PartLocating, Plan, TableKeying};
 use technolog::units::Micrometres;
 use technolog_testing::{planned, read};
 
@@ -92,6 +92,7 @@ fn a_part_under_which_a_tool_does_not_pass_is_told() {
 }
 
 const CORNERS: &str = "[[-15, -10], [15, 10], [-15, 10], [15, -10]]";
+const NEAR_SIDES: &str = "[[-23.5, -18.5], [23.5, 18.5], [-23.5, 18.5], [23.5, -18.5], [0, 0]]";
 
 /// A block of 60 by 50 by 30 mm with four holes of 10 mm leaves no strap a place. The drill comes out 3 mm and its point of 118°,
 /// 10/2/tan 59° = 3.0 mm, below it, the ways shall stay 1 mm away: 7 mm, and the lowest parallels are 14 mm. Jaws of 44.07 mm
@@ -120,7 +121,7 @@ fn a_part_without_a_place_for_straps_is_put_into_a_vice() {
 /// as near, so that nothing takes the part.
 #[test]
 fn no_vice_is_named_whose_parallels_would_be_cut() {
-    let near = plan([60, 50, 30], "", "[[-23.5, -18.5], [23.5, 18.5], [-23.5, 18.5], [23.5, -18.5], [0, 0]]");
+    let near = plan([60, 50, 30], "", NEAR_SIDES);
     assert!(near.setup.vice.is_none());
     assert_eq!(figures(&near, "no-vice", &["why"]).0, Severity::Doubtful);
     assert!(found(&near, "no-place-for-clamps").is_some());
@@ -143,4 +144,54 @@ fn zeros_are_told_by_the_sides_that_an_arbor_touches() {
     let tool = corner.tools.iter().find(|tool| tool.number == reference).unwrap();
     assert_eq!(stand.zero_mm[2], Micrometres::from_mm(40) + stand.height_mm + tool.length_mm - nose);
     assert_eq!(serde_json::from_str::<Plan>(&serde_json::to_string(&corner).unwrap()).unwrap(), corner);
+}
+
+/// Appendix Г, item 8: 2.5 · 26.52 / (0.25 · 0.283) = 937 N (the example prints 977) with both clamps 283 mm from the hole, which
+/// is √(200² + 200²). Each hole has its own arm, and the largest force governs: a drill of 10 mm 40 mm from its clamp needs more
+/// than one of 20 mm that far away.
+#[test]
+fn every_hole_has_its_own_arm_and_the_largest_force_governs() {
+    let of = |near: &str| {
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 500, width: 300, thickness: 40}}\n\
+             fixture: {{clamps: [{{at: [-200, -100]}}, {{at: [200, -100]}}]}}\nholes:\n{near}  \
+             - {{name: B, diameter: 20H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.46, at: [[0, 100]]}}\n"
+        );
+        planned(&read(&text), CuttingMethod::Formula)
+    };
+    let torque = |plan: &Plan, hole: usize| {
+        let torques = plan.holes[hole].transitions.iter().filter_map(|step| step.conditions.torque_n_m);
+        torques.map(|torque| torque.0).fold(0.0, f64::max)
+    };
+    let far = of("");
+    let clamping = far.clamping.as_ref().unwrap();
+    assert_eq!(clamping.distance_mm, Micrometres::from_mm_rounded(282.843));
+    assert!((clamping.force_n.0 - 2.5 * torque(&far, 0) / (0.25 * 0.282_843)).abs() < 1.0, "{clamping:?}");
+    assert!((2.5 * 26.52 / (0.25 * 0.283) - 937.1_f64).abs() < 0.1);
+
+    let near = "  - {name: A, diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.46, at: [[-160, -100]]}\n";
+    let both = of(near);
+    let clamping = both.clamping.as_ref().unwrap();
+    assert!(torque(&both, 0) < torque(&both, 1));
+    assert_eq!((clamping.hole.as_str(), clamping.distance_mm), ("A", Micrometres::from_mm(40)));
+    assert!((clamping.force_n.0 - 2.5 * torque(&both, 0) / (0.25 * 0.040)).abs() < 1.0, "{clamping:?}");
+}
+
+/// Sections 1.6 to 1.9: universal fixtures first, and item 11 of Appendix Г: two keys on the ГФ2171.
+#[test]
+fn the_fixture_is_chosen_by_what_holds_the_part() {
+    for (blank, at, held, kind) in [
+        ([300, 200, 40], "[[0, 0]]", HeldBy::Straps, FixtureKind::Universal),
+        ([60, 50, 30], CORNERS, HeldBy::Vice, FixtureKind::Universal),
+        // A thin plate springs between its clamps.
+        ([900, 300, 8], "[[0, 0]]", HeldBy::Straps, FixtureKind::Special),
+        // Neither straps nor jaws: the parallels would be cut.
+        ([60, 50, 30], NEAR_SIDES, HeldBy::Nothing, FixtureKind::Special),
+    ] {
+        let plan = plan(blank, "", at);
+        let fixture = plan.setup.fixture.as_ref().unwrap();
+        assert_eq!((fixture.held, fixture.fixture_kind), (held, kind), "{blank:?}: {:?}", plan.findings);
+        assert_eq!(fixture.keying, Some(TableKeying::TwoKeys));
+        assert_eq!(fixture.locating, PartLocating::ThreePlanes);
+    }
 }

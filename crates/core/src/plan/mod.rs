@@ -19,10 +19,10 @@ mod route;
 mod set_up;
 
 pub use crate::knowledge::vocabulary::{CuttingMethod, Operation};
-pub use crate::tables::rules::VisitingMethod;
+pub use crate::tables::rules::{FixtureKind, HeldBy, PartLocating, TableKeying, VisitingMethod};
 pub use order::{Mixture, Stop, Times, ToolVisit, Visiting};
 pub use route::{Achieved, Alternative, AlternativeStep, Feature, Route, RouteSource};
-pub use set_up::{JawsAlong, Setup, Stand, Vice};
+pub use set_up::{FixturePlan, JawsAlong, Setup, Stand, Vice};
 
 /// What holds cutting conditions back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]

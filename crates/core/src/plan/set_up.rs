@@ -5,16 +5,36 @@ use serde::{Deserialize, Serialize};
 
 use crate::note::Because;
 use crate::part::{Face, Point};
+use crate::tables::rules::{FixtureKind, HeldBy, PartLocating, TableKeying};
 use crate::units::{Micrometres, Newtons};
 
 /// How the part is set up.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Setup {
+    /// What kind of fixture it is and how it locates; absent when no hole could be planned.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fixture: Option<FixturePlan>,
     /// The vice, where straps find no place on the face; without one the part lies on the table, or on what the file says.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vice: Option<Vice>,
     /// How the part stands in each set-up.
     pub stands: Vec<Stand>,
+}
+
+/// The kind of fixture, and how table, fixture and part are located to each other.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FixturePlan {
+    /// Its kind.
+    pub fixture_kind: FixtureKind,
+    /// What holds the part in it.
+    pub held: HeldBy,
+    /// How it is keyed to the table; absent where the record of the machine does not say what its table has.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub keying: Option<TableKeying>,
+    /// How the part is located in it.
+    pub locating: PartLocating,
+    /// Why.
+    pub because: Vec<Because>,
 }
 
 /// A machine vice with the part in it, on parallels.

@@ -145,7 +145,7 @@ pub fn plan_by(
         holes,
         tools,
         clamping,
-        setup: Setup { vice, stands: Vec::new() },
+        setup: Setup { vice, ..Setup::default() },
         sequence: visits,
         visiting,
         time: Times::default(),
@@ -154,6 +154,7 @@ pub fn plan_by(
     sequence::timed(&mut plan, &shop)?;
     // Every plan is checked by the proof, however it was chosen.
     plan.findings.extend(technolog_proof::prove(&plan, &shop)?);
+    plan.setup.fixture = setup::fixture(&plan, &shop)?;
     unconfirmed(&mut plan);
     Finding::in_order(&mut plan.findings);
     Ok(plan)

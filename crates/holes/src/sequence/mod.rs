@@ -85,13 +85,16 @@ pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     job::timed(plan, &job, shop)?;
     plan.setup.stands = setup::stands(plan, &job, &shop.machine);
     // What a program would be refused for is told of the plan, too. Clamps whose height is not known make no plan wrong: its
-    // program asks for them.
+    // program asks for them. How low the clamps of its own must be, who sets it up must know.
     let asked = |finding: &Finding| finding.note.code() == "ways-over-clamps";
     let told = job.findings.into_iter().map(|finding| {
         let severity = if asked(&finding) { Severity::Doubtful } else { finding.severity };
         Finding { severity, ..finding }
     });
-    let hinders = |finding: &Finding| finding.severity <= Severity::Doubtful && !plan.findings.contains(finding);
+    let own = |finding: &Finding| finding.note.code() == "ways-over-proposed-clamps";
+    let hinders = |finding: &Finding| {
+        (finding.severity <= Severity::Doubtful || own(finding)) && !plan.findings.contains(finding)
+    };
     let hindered: Vec<Finding> = told.filter(hinders).collect();
     plan.findings.extend(hindered);
     Ok(())

@@ -4,14 +4,14 @@
 use crate::document::Document;
 use crate::note::{Figure, Note};
 use crate::part::Face;
-use crate::plan::{Clamping, Plan, Stand, Vice};
+use crate::plan::{Clamping, FixturePlan, Plan, Stand, Vice};
 use crate::units::Micrometres;
 
 use super::{Lang, clamps_of, mark, rounded, say, weak_screw};
 
 /// The steps of all set-ups, numbered throughout.
 pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
-    let mut steps = Vec::new();
+    let mut steps: Vec<String> = plan.setup.fixture.iter().map(|fixture| kind(fixture, lang)).collect();
     for stand in &plan.setup.stands {
         match &plan.setup.vice {
             Some(vice) => steps.push(in_vice(vice, stand, lang)),
@@ -22,6 +22,15 @@ pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     for (number, step) in (1..).zip(steps) {
         page.paragraph(format!("{number}. {step}"));
     }
+}
+
+/// The kind of fixture, its place on the table, and the part in it.
+fn kind(fixture: &FixturePlan, lang: Lang) -> String {
+    let said = |code: String| lang.say(&Note::new(code));
+    let mut sentences = vec![said(format!("plan-fixture-{}-{}", fixture.fixture_kind.name(), fixture.held.name()))];
+    sentences.extend(fixture.keying.map(|keying| said(format!("plan-keying-{}", keying.name()))));
+    sentences.push(said(format!("plan-locating-{}", fixture.locating.name())));
+    sentences.join(" ")
 }
 
 /// The part on supports, and its clamps.
@@ -38,7 +47,10 @@ fn on_table(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
         Some(clamping) => clamps(clamping, lang),
         None => lang.word("plan-no-clamping").to_owned(),
     };
-    vec![format!("{supports} {lies}"), held]
+    // What stands under a part by the file is not ours to place.
+    let where_ = (key == "plan-supports-assumed").then(|| lang.word("plan-supports-where").to_owned());
+    let part: Vec<String> = [Some(supports), where_, Some(lies)].into_iter().flatten().collect();
+    vec![part.join(" "), held]
 }
 
 /// Where the corner of the part lies on the table.

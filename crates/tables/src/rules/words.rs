@@ -171,6 +171,54 @@ vocabulary! {
         Pushes = "pushes",
     }
 
+    /// What holds a part on the table.
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum HeldBy {
+        /// Straps on its face.
+        Straps = "straps",
+        /// A vice.
+        Vice = "vice",
+        /// Nothing that the tables have.
+        Nothing = "nothing",
+    }
+
+    /// A kind of fixture (textbook 1.6).
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum FixtureKind {
+        /// A vice, straps, a coordinate plate.
+        Universal = "universal",
+        /// For a group of parts with bases of one type.
+        Specialised = "specialised",
+        /// Made for the one part.
+        Special = "special",
+    }
+
+    /// How a fixture is keyed to the table (textbook 1.7).
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum TableKeying {
+        /// Two keys in a slot, trued along it.
+        TwoKeys = "two-keys",
+        /// Pins in the holes of a plate that lies on the table.
+        CoordinatePlate = "coordinate-plate",
+        /// The cross slot or the central hole of the table.
+        CrossElements = "cross-elements",
+    }
+
+    /// How a part is located (textbook 1.9).
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum PartLocating {
+        /// A plane and two fine holes.
+        PlaneAndTwoHoles = "plane-and-two-holes",
+        /// Two planes and a hole.
+        TwoPlanesAndHole = "two-planes-and-hole",
+        /// Three planes.
+        ThreePlanes = "three-planes",
+    }
+
     /// A load on the machine.
     pub enum Load {
         /// Along the axis.

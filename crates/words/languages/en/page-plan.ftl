@@ -105,8 +105,23 @@ plan-zero-by-sides = { $frame }: touch the right and the back side with an arbor
 plan-zero-by-face = { $frame }: touch the face with the reference tool{ $tool } and read zM: Z = zM{ $face }; about Z{ $z } for the lengths of section 5.
 plan-start = Start and tool change at X{ $x } Y{ $y } of the drawing, the ram up; from hole to hole { $level } mm over the face.
 plan-start-to-clamp = The nearest clamp is { $away } mm from there.
+plan-fixture-universal-straps = Universal fixture: straps on the table (1.6).
+plan-fixture-universal-vice = Universal fixture: a vice (1.6).
+plan-fixture-special-nothing = A special fixture is to be made (1.6): neither straps nor a vice hold the part.
+plan-fixture-special-straps = A special fixture is to be made (1.6): under straps alone the part springs.
+plan-fixture-special-vice = A special fixture is to be made (1.6): in a vice the part springs.
+plan-fixture-specialised-straps = A resettable fixture with straps, for the whole group of parts (1.6).
+plan-fixture-specialised-vice = A resettable vice, for the whole group of parts (1.6).
+plan-fixture-specialised-nothing = A resettable fixture, for the whole group of parts (1.6).
+plan-keying-two-keys = On the table: two keys in its central slot, trued along it, the least accurate way (1.7 a).
+plan-keying-coordinate-plate = On the table: pins in the holes of a coordinate plate (1.7 b).
+plan-keying-cross-elements = On the table: by its cross slot or central hole (1.7 c).
+plan-locating-three-planes = The part: by three planes, the one it lies on and two sides (1.9).
+plan-locating-two-planes-and-hole = The part: by two planes and a hole (1.9).
+plan-locating-plane-and-two-holes = The part: by a plane and two fine holes, the most accurate way (1.9).
 plan-supports-given = Set-up { $setup }: the part on supports of { $height } mm, as the file says.
 plan-supports-assumed = Set-up { $setup }: the part on supports of { $height } mm, so that tools have room below it; the file gives no height (fixture.height).
+plan-supports-where = Supports stand under the clamps and beyond the outermost holes, so that no thrust tips the part, and clear of the through holes.
 plan-supports-none = Set-up { $setup }: no supports are needed, no tool comes out below the part; the file gives no height (fixture.height).
 plan-times = { $parts } = { $total } min
 plan-time-machine = Machine time { $time }
