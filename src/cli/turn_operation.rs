@@ -144,7 +144,8 @@ pub fn program(
             if !wrong.is_empty() && !wanted.force {
                 return Ok(unfinished(operation, context));
             }
-            let files = if wrong.is_empty() { files.clone() } else { warned(files, control, &wrong, knowledge, context)? };
+            let files =
+                if wrong.is_empty() { files.clone() } else { warned(files, control, &wrong, knowledge, context)? };
             let texts: Vec<&str> = files.iter().map(|file| file.text.as_str()).collect();
             context.emit(&texts.join("\n"))?;
             for why in &written.remarks {

@@ -156,13 +156,7 @@ pub(super) fn exchanges(
 }
 
 /// A later call of a place with the offset of the tool that stood there before, though the remark names another one.
-fn of_one_before(
-    operation: &Operation,
-    work: &SetUpWork,
-    known: CalledTool,
-    job: usize,
-    line: u32,
-) -> Option<Fault> {
+fn of_one_before(operation: &Operation, work: &SetUpWork, known: CalledTool, job: usize, line: u32) -> Option<Fault> {
     let stations = stations(operation);
     let called = known.called;
     let own = |job: usize| work.jobs.get(job).and_then(|job| station(&stations, job));

@@ -183,7 +183,8 @@ pub fn within_part(
         let (rpm, _) = first_speed(cut, rpm_at(law.at(depth.to_mm(), cut)?.speed, cut.diameter), false);
         let speed = speed_at(rpm, cut.diameter);
         let of_part = |check: &&Check| matches!(check.bound, Bound::PartStiffness | Bound::PartStrength);
-        let bears = |check: &Check| check.load(cut, &forces, depth, speed).is_none_or(|load| load.within(check.capacity));
+        let bears =
+            |check: &Check| check.load(cut, &forces, depth, speed).is_none_or(|load| load.within(check.capacity));
         let Some(exceeded) = checks.iter().filter(of_part).find(|check| !bears(check)) else {
             because.extend(bound);
             return Ok(held);

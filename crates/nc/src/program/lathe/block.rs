@@ -508,13 +508,7 @@ impl Maker<'_> {
 
     /// A line synchronised with the spindle; LinuxCNC measures the lead along the line, the others along its longer
     /// axis.
-    pub fn thread_to(
-        &mut self,
-        from: LathePoint,
-        to: LathePoint,
-        (lead, start_deg): (f64, f64),
-        span: TextSpan,
-    ) {
+    pub fn thread_to(&mut self, from: LathePoint, to: LathePoint, (lead, start_deg): (f64, f64), span: TextSpan) {
         self.thread_at(span);
         let (dx, dz) = ((to.radius_mm - from.radius_mm).abs(), (to.z_mm - from.z_mm).abs());
         let along = match self.language.kind {

@@ -178,10 +178,8 @@ impl Locus {
                 }
                 let (on, half) = ((two.z - one.z) / far, libm::sqrt(square.max(0.0)));
                 let up = (two.x - one.x) / far;
-                let both = [half, -half].map(|off| PassPoint {
-                    z: one.z + on * along - up * off,
-                    x: one.x + up * along + on * off,
-                });
+                let both = [half, -half]
+                    .map(|off| PassPoint { z: one.z + on * along - up * off, x: one.x + up * along + on * off });
                 both.to_vec()
             }
         }
