@@ -49,6 +49,8 @@ pub struct Args {
     variant: Option<WayName>,
     #[arg(long, value_name = "RPM", value_parser = whole_number::<1, 20_000>)]
     spindle: Option<u32>,
+    #[arg(long)]
+    force: bool,
 }
 
 /// The requested output.
@@ -155,7 +157,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if let Some(form) = args.show.program() {
         let operation = operation_of(&read, args, knowledge, context)?;
         let spindle = args.spindle.map(|speed| RevsPerMinute(f64::from(speed)));
-        let wanted = Wanted { control: args.control, form, number: args.number as usize, spindle };
+        let wanted = Wanted { control: args.control, form, number: args.number as usize, spindle, force: args.force };
         return turn_operation::program(&operation, wanted, knowledge, context);
     }
     if matches!(args.show, Show::Setting | Show::ToolTable) {

@@ -14,10 +14,10 @@ use technolog::turning::operation::times::{Times, times};
 use technolog::turning::operation::tool_table;
 use technolog::turning::operation::turret::Put;
 use technolog::turning::operation::{self, Operation};
-use technolog::turning::program::{NotCycled, NotWritten};
+use technolog::turning::program::{Control as LatheControl, NotCycled, NotWritten, ProgramFile};
 use technolog::turning::workpiece::Workpiece;
 use technolog::units::RevsPerMinute;
-use technolog::words::say;
+use technolog::words::{Lang, say};
 
 use super::diagnostics::{Texts, render};
 use super::turn::drawn;
@@ -94,6 +94,8 @@ pub struct Wanted {
     pub number: usize,
     /// The spindle speed, where the user states it.
     pub spindle: Option<RevsPerMinute>,
+    /// Whether a program that does not make the whole part is written all the same.
+    pub force: bool,
 }
 
 /// Writes one program of an operation.
@@ -138,6 +140,12 @@ pub fn program(
             if turned::reader(wanted.control.name(), knowledge).map_err(lacking)?.is_none() {
                 super::output::complain(&say!(context.lang, "turn-not-read-back", control = wanted.control.name()));
             }
+            let wrong = wrong(operation);
+            if !wrong.is_empty() && !wanted.force {
+                return Ok(unfinished(operation, context));
+            }
+            let files =
+                if wrong.is_empty() { files.clone() } else { warned(files, control, &wrong, knowledge, context)? };
             let texts: Vec<&str> = files.iter().map(|file| file.text.as_str()).collect();
             context.emit(&texts.join("\n"))?;
             for why in &written.remarks {
@@ -224,6 +232,44 @@ fn tell(operation: &Operation, context: &Context) {
         let problems = super::proof::part_diagnostics(&told, context);
         super::output::complain(&render(problems, &Texts::default(), context.amount, context.lang));
     }
+}
+
+/// What is wrong with an operation, each as a sentence for a remark, which is in letters that every control shows.
+fn wrong(operation: &Operation) -> Vec<String> {
+    let wrong = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+    wrong.map(|finding| Lang::EN.say(&finding.note)).collect()
+}
+
+/// A program that does not make the whole part is not written.
+fn unfinished(operation: &Operation, context: &Context) -> Outcome {
+    tell(operation, context);
+    let note = Note::new("program-not-written");
+    let told = Diagnostic::error("not-written", context.lang.say(&note), None);
+    let told = match context.lang.remedy(&note) {
+        Some(remedy) => told.help(remedy),
+        None => told,
+    };
+    super::output::complain(&render(vec![told], &Texts::default(), context.amount, context.lang));
+    Outcome::Findings
+}
+
+/// The files of a program with the reasons why it must not be run at its head.
+fn warned(
+    files: &[ProgramFile],
+    control: &str,
+    reasons: &[String],
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<Vec<ProgramFile>, CliError> {
+    let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
+    let control = LatheControl::read(control, knowledge).map_err(lacking)?;
+    let mut files = files.to_vec();
+    if let Some(main) = files.first_mut()
+        && let Ok(warned) = technolog::turning::program::warned(&control, main.clone(), reasons)
+    {
+        *main = warned;
+    }
+    Ok(files)
 }
 
 /// A program that must not be run is not written: something is found wrong, as on the page of the operation.

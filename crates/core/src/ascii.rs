@@ -3,7 +3,7 @@
 /// A name for a comment in a program: Ukrainian in Latin letters (the table of 2010), without characters that a
 /// control cannot show or that would end the comment.
 pub fn ascii(text: &str) -> String {
-    const LATIN: [(char, &str); 34] = [
+    const LATIN: [(char, &str); 40] = [
         ('а', "a"),
         ('б', "b"),
         ('в', "v"),
@@ -38,6 +38,12 @@ pub fn ascii(text: &str) -> String {
         ('ю', "iu"),
         ('я', "ia"),
         ('ø', "D"),
+        ('φ', "phi"),
+        ('°', " deg"),
+        ('µ', "u"),
+        ('×', "x"),
+        ('≤', "<="),
+        ('≥', ">="),
     ];
     let mut latin = String::with_capacity(text.len());
     // In other languages the name of the standards is written so.

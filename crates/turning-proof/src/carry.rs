@@ -150,7 +150,10 @@ impl<'s> Carried<'s> {
         }
         match motion.kind {
             MotionKind::Rapid => {
-                if let Some((width, at)) = self.overlap(&cuts, &[]) {
+                // Back along the axis at the depth of its pass, a point goes through the crests of its thread.
+                let crests = motion.path.from().spot().minus(motion.path.to().spot());
+                let along = crests.z.abs() > crests.r.abs();
+                if let Some((width, at)) = self.met(&cuts, &[], !along) {
                     let (tool, block) = (tool.clone(), motion.block);
                     self.faults.add(Fault::RapidCut { tool, width, at, block, count: 1 });
                 }
@@ -194,6 +197,11 @@ impl<'s> Carried<'s> {
 
     /// Where pieces meet uncut metal: the width and the place. `cut` is the cut of the motion itself.
     pub(crate) fn overlap(&self, pieces: &[Convex], cut: &[Convex]) -> Option<(Mm, At)> {
+        self.met(pieces, cut, true)
+    }
+
+    /// The same; the grooves of the current thread are free, or as full as they are between its turns.
+    fn met(&self, pieces: &[Convex], cut: &[Convex], grooves: bool) -> Option<(Mm, At)> {
         if !may_meet(&self.stock.0, pieces) {
             return None;
         }
@@ -202,7 +210,8 @@ impl<'s> Carried<'s> {
         thickest(&met)?;
         let window = met.window();
         let near = |piece: &&Convex| piece.window().meets(window);
-        let free = Region::pieces(self.threaded.iter().chain(cut).filter(near));
+        let threaded = self.threaded.iter().filter(|_| grooves);
+        let free = Region::pieces(threaded.chain(cut).filter(near));
         let waiting = self.waiting.parts.iter().map(|(_, part)| part.within(window));
         thickest(&waiting.chain([free]).fold(met, |met, free| met.made(&free, Rule::Without)))
     }

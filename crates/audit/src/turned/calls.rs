@@ -121,6 +121,9 @@ pub(super) fn exchanges(
         if motion.act == LatheAct::ToolChange || current.is_none_or(|tool| tool.called != called) {
             let known = tools.iter().find(|tool| tool.called == called).copied();
             let remarked = named(work, &lines, motion.line).filter(|_| motion.act == LatheAct::ToolChange);
+            if let (Some(known), Some(job)) = (known, remarked) {
+                faults.extend(of_one_before(operation, work, known, job, motion.line));
+            }
             current = known.map(|tool| match remarked {
                 Some(job) => CalledTool { job, is_named: true, ..tool },
                 None => tool,
@@ -152,6 +155,22 @@ pub(super) fn exchanges(
     faults
 }
 
+/// A later call of a place with the offset of the tool that stood there before, though the remark names another one.
+fn of_one_before(operation: &Operation, work: &SetUpWork, known: CalledTool, job: usize, line: u32) -> Option<Fault> {
+    let stations = stations(operation);
+    let called = known.called;
+    let own = |job: usize| work.jobs.get(job).and_then(|job| station(&stations, job));
+    let (before, now) = (own(known.job)?, own(job)?);
+    let name = work.jobs.get(job).map_or("", |job| &*job.tool.designation);
+    let same = before == now || before.tool.designation == now.tool.designation;
+    if same || !is_seated(before, called) || is_seated(now, called) || now.seat.place != called.number {
+        return None;
+    }
+    let note = Note::new("turned-offset-of-other").with("number", called.number).with("tool", name);
+    let note = note.with("offset", called.offset.unwrap_or_default());
+    Some(fault("turned-offset-of-other", Severity::Wrong, note, line))
+}
+
 /// Whether a tool is made for threads.
 const fn cuts_threads(body: &Body) -> bool {
     matches!(body, Body::Tap { .. } | Body::Insert { kind: ToolKind::Threading, .. })
@@ -165,8 +184,8 @@ fn has_edge(block: &str, number: u32) -> bool {
     })
 }
 
-/// Calls with the offset of another tool: the tool stands at its place in our turret, and its offset is that of another one. An
-/// offset that no tool of the plan has, and a D, which controls number for each place, that no tool there has, may be a second one of
+/// Calls with the offset of another tool: the tool stands at its place in our turret, and its offset is that of another one; wrong
+/// where the program itself calls that one. An offset that no tool of the plan has, and a D, which controls number for each place, that no tool there has, may be a second one of
 /// its own: then somebody must have measured it.
 fn wrong_offsets(operation: &Operation, work: &SetUpWork, lines: &[String], tools: &[CalledTool]) -> Vec<Fault> {
     let stations = stations(operation);
@@ -181,14 +200,21 @@ fn wrong_offsets(operation: &Operation, work: &SetUpWork, lines: &[String], tool
         if is_seated(own, called) {
             return None;
         }
-        Some(if stations.iter().any(is_of) { "turned-offset-of-other" } else { "turned-offset-unknown" })
+        let Some(other) = stations.iter().find(|one| is_of(one)) else {
+            return Some(("turned-offset-unknown", Severity::Doubtful));
+        };
+        let is_called = |tool: &CalledTool| {
+            is_seated(other, tool.called) && work.jobs.get(tool.job).is_some_and(|job| other.is_of(job))
+        };
+        let severity = if tools.iter().any(is_called) { Severity::Wrong } else { Severity::Doubtful };
+        Some(("turned-offset-of-other", severity))
     };
     let told = tools.iter().filter_map(|tool| {
-        let code = wrong(tool)?;
+        let (code, severity) = wrong(tool)?;
         let name = work.jobs.get(tool.job).map_or("", |job| &*job.tool.designation);
         let note = Note::new(code).with("number", tool.called.number).with("tool", name);
         let note = note.with("offset", tool.called.offset.unwrap_or_default());
-        Some(fault(code, Severity::Doubtful, note, tool.line))
+        Some(fault(code, severity, note, tool.line))
     });
     told.collect()
 }

@@ -84,7 +84,7 @@ pub(super) fn drilled(
         let is_of = |one: &&LatheMotion| one.act.cuts() && one.modes.tool == Some(tool.called);
         let depths = run.motions.iter().filter(is_of).filter_map(|one| Some((-one.to.z_mm?, one.line)));
         let Some((depth, line)) = depths.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
-        let beyond = |limit: f64| depth > limit + over && planned <= limit + over;
+        let beyond = |limit: f64| depth > limit.max(planned) + over;
         let note = |code| Note::new(code).with("tool", &*job.tool.designation).with("z", round_to(-depth, 3));
         let (code, severity, note) = match jaws.filter(|_| work.parted_mm.is_some()) {
             _ if beyond(end) => {

@@ -42,7 +42,8 @@ pub(super) fn passes(work: &SetUpWork, run: &LatheRun, knowledge: &Knowledge) ->
             speeds = Some((RevsPerMinute(least), RevsPerMinute(most), line));
         }
         if let Some((has, needs, line)) = short {
-            let note = Note::new("turned-thread-run-in").with("has", round_to(has, 1)).with("needs", round_to(needs, 1));
+            let note =
+                Note::new("turned-thread-run-in").with("has", round_to(has, 1)).with("needs", round_to(needs, 1));
             let note = note.with("pitch", cut.pitch_mm);
             faults.push(fault("turned-thread-run-in", Severity::Doubtful, note, line));
         }

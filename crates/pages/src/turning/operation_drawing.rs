@@ -6,10 +6,11 @@ use super::Lang;
 use super::cells::{fixed, rounded};
 use super::phrases::word;
 use super::view::{View, pen_of};
+use crate::note::Note;
 use technolog_turning::contour::{Contour, Piece, Side};
 use technolog_turning::length::Half;
 use technolog_turning::operation::work::{Work, ZoneWork};
-use technolog_turning::operation::{Operation, SetUpWork, SideWork};
+use technolog_turning::operation::{Operation, SetUpWork, SideWork, SizeOf};
 use technolog_turning::point::Point;
 use technolog_turning::toolpath::Purpose;
 use technolog_turning::transitions::Transition;
@@ -33,7 +34,7 @@ pub fn operation_drawing(operation: &Operation, all: bool, lang: Lang) -> String
     let mut top = 0.0;
     for set_up in &operation.set_ups {
         for side in &set_up.sides {
-            top = layers(&mut canvas, set_up, side, top, lang);
+            top = layers(&mut canvas, operation, (set_up, side), top, lang);
             for zone in &side.zones {
                 for work in &zone.works {
                     for transition in work.transitions.iter().filter(|one| all || work.taken == Some(one.scheme)) {
@@ -60,7 +61,13 @@ fn corners(contours: &[&Contour], axis: bool) -> (Point, Point) {
 }
 
 /// The part with its three allowances and the zones of area 1; returns its lower end.
-fn layers(canvas: &mut Canvas, set_up: &SetUpWork, side: &SideWork, top: f64, lang: Lang) -> f64 {
+fn layers(
+    canvas: &mut Canvas,
+    operation: &Operation,
+    (set_up, side): (&SetUpWork, &SideWork),
+    top: f64,
+    lang: Lang,
+) -> f64 {
     let layers = &side.layers;
     let (near, far) = corners(&[&layers.blank, &layers.rough, &layers.part], true);
     let room = (WIDE - 2.0 * MARGIN, TALL);
@@ -84,6 +91,7 @@ fn layers(canvas: &mut Canvas, set_up: &SetUpWork, side: &SideWork, top: f64, la
         view.line(canvas, contour.pieces.iter().copied(), pen);
     }
     axis(canvas, &view, near, far);
+    sizes(canvas, &view, operation, (set_up, side), lang);
     for zone in &side.zones {
         let one = &zone.zone;
         let middle = |a: Half, b: Half| Half::new(i64::midpoint(a.halves(), b.halves()));
@@ -105,6 +113,29 @@ fn layers(canvas: &mut Canvas, set_up: &SetUpWork, side: &SideWork, top: f64, la
         left += 210.0;
     }
     bottom + 14.0
+}
+
+/// The sizes with limits at their surfaces, on the side of the metal.
+fn sizes(canvas: &mut Canvas, view: &View, operation: &Operation, (set_up, side): (&SetUpWork, &SideWork), lang: Lang) {
+    let stretch = match side.side {
+        Side::Outer => set_up.set_up.outer.as_ref(),
+        Side::Inner => set_up.set_up.inner.as_ref(),
+    };
+    for surface in stretch.iter().flat_map(|stretch| &stretch.profile.surfaces) {
+        let (Some(sized), Some(piece)) = (operation.sizes.of_surface(&surface.name), surface.pieces.first()) else {
+            continue;
+        };
+        let ends = [view.at(piece.from), view.at(piece.to)];
+        let code = match sized.of {
+            SizeOf::Diameter => "turn-drawn-diameter",
+            SizeOf::Length => "turn-drawn-length",
+        };
+        let note = Note::new(code).with("nominal", sized.nominal_mm).with("fit", &*sized.fit);
+        let note = note.with("least", sized.least_mm).with("most", sized.most_mm);
+        let below = if side.side == Side::Outer { 14.0 } else { -5.0 };
+        let at = ((ends[0].0 + ends[1].0) / 2.0, (ends[0].1 + ends[1].1) / 2.0 + below);
+        canvas.text(at, 11.0, Anchor::Middle, &lang.say(&note));
+    }
 }
 
 /// The section of the part: from an outer contour down to the axis, for a bore up to a radius.

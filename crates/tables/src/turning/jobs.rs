@@ -59,6 +59,9 @@ vocabulary! {
         /// The stock left on a parted face that is faced afterwards.
         PartingFaceStock = "parting-face-stock",
         PartingExcess = "parting-excess",
+        HollowSeam = "hollow-seam",
+        HollowOverLip = "hollow-over-lip",
+        HollowSteepest = "hollow-steepest",
         PartingNeck = "parting-neck",
         /// The distance by which the full diameter of a drill comes out of a through hole.
         DrillBreakthrough = "drill-breakthrough",

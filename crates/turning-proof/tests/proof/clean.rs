@@ -358,3 +358,47 @@ fn a_pass_the_other_way_spoils_a_thread() {
     let faults = wrong(&work);
     assert!(matches!(&faults[..], [Fault::ThreadPhase { .. }, ..]), "{faults:?}");
 }
+
+/// From the end of its pass straight back at rapid, without leaving the groove first: the crests are 0.8 mm higher there.
+#[test]
+fn a_point_dragged_back_through_its_thread_is_found() {
+    let mut work = started([(0.0, 0.0); 4]);
+    let second = work.motions.iter().filter(|motion| motion.kind == Pass).nth(1).copied().unwrap();
+    let at_pass = work.motions.iter().position(|motion| motion.block == second.block).unwrap();
+    let (Piece::Line { from, to }, block) = (second.path, second.block) else { panic!() };
+    let back = Motion { kind: Rapid, path: Piece::Line { from: to, to: from }, lead: None, ..second };
+    work.motions.splice(at_pass + 1..at_pass + 3, [back]);
+    let faults = wrong(&work);
+    assert!(matches!(&faults[..], [Fault::RapidCut { block: at, .. }] if *at == block), "{faults:?}");
+}
+
+/// A drill of 10 with flutes of 40 goes 46 deep into solid metal: 6 mm of its shank are in the hole. A hole that is wider there
+/// lets the chips out.
+#[test]
+fn a_drill_goes_no_deeper_than_its_flutes() {
+    let part = || vec![line("face", (0.0, 0.0), (0.0, 20.0)), line("outside", (0.0, 20.0), (-60.0, 20.0))];
+    let tool = || bare(Cutter::Drill { diameter: Mm(10.0), point_angle: Degrees(118.0), flute: Mm(40.0) });
+    let drilled = |depth: f64| {
+        let moves = [(Rapid, 2.0, 0.0), (Feed, -depth, 0.0), (Rapid, 2.0, 0.0)];
+        let mut work = bar_work(part(), 20.0, (-80.0, 0.0), tool(), program(0, (5.0, 0.0), &moves));
+        work.profile.bore = vec![line("bore", (0.0, 5.0), (-60.0, 5.0))];
+        work.profile.outside[0] = line("face", (0.0, 5.0), (0.0, 20.0));
+        work
+    };
+    let buried = |work: &SetUp| {
+        let faults = proven(work).faults;
+        faults.iter().find_map(|fault| match fault {
+            Fault::Buried { depth, block, .. } => Some((depth.0, block.0)),
+            _ => None,
+        })
+    };
+    assert_eq!(buried(&drilled(39.0)), None);
+    let (depth, block) = buried(&drilled(46.0)).unwrap();
+    assert!((depth - 6.0).abs() < 0.001 && block == 2, "{depth} {block}");
+    let mut wide = drilled(46.0);
+    wide.stock = Stock::between(
+        &Piece::lines(&[at(0.0, 8.0), at(0.0, 20.0), at(-80.0, 20.0)]),
+        &Piece::lines(&[at(0.0, 8.0), at(-10.0, 8.0), at(-10.0, 0.0)]),
+    );
+    assert_eq!(buried(&wide), None);
+}

@@ -97,9 +97,7 @@ pub fn conditions(
     let (mut feed, mut because) = feed_of(cut, depth, roughness)?;
     positive(cut, feed)?;
     let pass = if roughness.is_some() { RoughOrFinish::Finish } else { RoughOrFinish::Rough };
-    if roughness.is_some() {
-        feed = within_part(cut, depth, feed, &mut because)?;
-    }
+    feed = within_part(cut, depth, feed, pass, &mut because)?;
     let law = of_figures(cut.named(speed::speed(cut, feed, pass)))?;
     because.extend(law.because.iter().cloned());
     let taken = law.at(depth.to_mm(), cut)?;
@@ -159,41 +157,45 @@ pub fn conditions(
     })
 }
 
-/// A finishing feed reduced until the part deflects within its share of the tolerance, in hundredths of a millimetre,
-/// but not below the least feed of `turning-limits`; a remaining excess is among the exceeded limits.
-fn within_part(
+/// A feed reduced until the part bears the cut: until it deflects within what is allowed, in finishing a share of its tolerance, and
+/// is not bent beyond its strength. In hundredths of a millimetre, but not below the least feed of `turning-limits`; a remaining
+/// excess is among the exceeded limits.
+///
+/// # Errors
+/// No speed or load is known; a broken table.
+pub fn within_part(
     cut: &TurningCut<'_, '_>,
     depth: Micrometres,
     feed: MillimetresPerRev,
+    pass: RoughOrFinish,
     because: &mut Vec<Because>,
 ) -> Tried<MillimetresPerRev, CuttingRefusal> {
     if cut.part.is_none() {
         return Ok(feed);
     }
     let (least, _) = bounds::constant_length(cut, Limit::FinishFeedLeast)?;
-    let mut held = feed;
+    let (mut held, mut bound) = (feed, None);
     loop {
         let forces = Forces::of(cut, held)?;
         let (checks, _) = bounds::checks(cut, &forces)?;
-        let law = of_figures(cut.named(speed::speed(cut, held, RoughOrFinish::Finish)))?;
+        let law = of_figures(cut.named(speed::speed(cut, held, pass)))?;
         // The speed that the spindle has: a slower cut presses harder.
         let (rpm, _) = first_speed(cut, rpm_at(law.at(depth.to_mm(), cut)?.speed, cut.diameter), false);
         let speed = speed_at(rpm, cut.diameter);
-        let Some(check) = checks.into_iter().find(|check| check.bound == Bound::PartStiffness) else {
-            return Ok(feed);
-        };
-        if check.load(cut, &forces, depth, speed).is_none_or(|load| load.within(check.capacity)) {
-            if held != feed {
-                let note = Note::new("feed-within-part").with("feed", held.0).with("before", feed.0);
-                because.extend(check.because.into_iter().map(|one| Because { note: note.clone(), ..one }).next_back());
-            }
+        let of_part = |check: &&Check| matches!(check.bound, Bound::PartStiffness | Bound::PartStrength);
+        let bears =
+            |check: &Check| check.load(cut, &forces, depth, speed).is_none_or(|load| load.within(check.capacity));
+        let Some(exceeded) = checks.iter().filter(of_part).find(|check| !bears(check)) else {
+            because.extend(bound);
             return Ok(held);
-        }
+        };
         let next = ((held.0 - 0.01) * 100.0).round() / 100.0;
         if next < least.to_mm() {
             return Ok(held);
         }
         held = MillimetresPerRev(next);
+        let note = Note::new("feed-within-part").with("feed", held.0).with("before", feed.0);
+        bound = exceeded.because.last().map(|one| Because { note, ..one.clone() });
     }
 }
 

@@ -33,7 +33,7 @@ pub use bounds::{Bound, GripLimit, Load, UnknownBound, deepest_edge, pull};
 pub use bounds::{
     bar_clearance, bar_overhang, bar_reaches, jaw_clearance, largest_overhang, least_sensible_depth, wall_share,
 };
-pub use conditions::{TurningConditions, conditions};
+pub use conditions::{TurningConditions, conditions, within_part};
 pub use feed::{
     Feed, cuts_back, feed_of_nose, finish_feed, is_nose_bound, least_finishing_depth, rough_feed, unsaid_roughness,
 };

@@ -4,10 +4,11 @@ use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Figure, Finding, Note, Severity};
+use crate::tables::practice::RoughOrFinish;
 use crate::tables::turning::part::TurningSkinFor;
 use crate::turning::cutting::{
     Bound, CuttingRefusal, Direction, Flexibility, LimitingDepth, Speed, TurningConditions, TurningCut, bar_reaches,
-    conditions, least_sensible_depth, limiting_depth, rough_feed,
+    conditions, least_sensible_depth, limiting_depth, rough_feed, within_part,
 };
 use crate::turning::length::Half;
 use crate::turning::schemes::rates;
@@ -91,11 +92,11 @@ pub fn depth(
         findings.push(Finding::of_part(Severity::Error, CuttingRefusal::NoLimitingDepth.note()));
         return Ok(None);
     };
-    let mut found = Refusal::split(limit(&cut, task.stock))?;
+    let mut found = Refusal::split(sensible(&cut, task.stock))?;
     // What a chuck holds is no figure of its own record: it makes passes shallower, but never forbids them.
     let least = Half::of(least_sensible_depth(bench.knowledge)?);
     if cut.grip.is_some() && found.as_ref().map_or(true, |(_, depth)| *depth < least) {
-        found = Refusal::split(limit(&TurningCut { grip: None, ..cut }, task.stock))?;
+        found = Refusal::split(sensible(&TurningCut { grip: None, ..cut }, task.stock))?;
     }
     match found {
         Ok((mut limit, depth)) => {
@@ -134,6 +135,35 @@ fn asks(limit: &LimitingDepth, bench: &Bench<'_, '_>) -> Result<Option<(Finding,
 
 /// The most passes into which the search divides the stock.
 const MOST_PASSES: i64 = 60;
+
+/// The most that one pass may remove, at the feed of the table; where the part bends so far or is so weak that this is no sensible
+/// depth of roughing, a sensible one at a smaller feed, if the part bears one: that with the least feeding over the stock.
+fn sensible(cut: &TurningCut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half), CuttingRefusal> {
+    let usual = limit(cut, stock);
+    let Ok((limit, depth)) = &usual else { return usual };
+    let least = Half::of(least_sensible_depth(cut.knowledge)?).min(stock);
+    let of_part = matches!(limit.decided_by, Bound::PartStiffness | Bound::PartStrength);
+    if *depth >= least || !of_part {
+        return usual;
+    }
+    let mut best: Option<(f64, (LimitingDepth, Half))> = None;
+    for passes in 1..=MOST_PASSES {
+        let depth = stock.part(passes);
+        if depth < least {
+            break;
+        }
+        let whole = depth.rounded_up();
+        let Ok(table) = Refusal::split(rough_feed(cut, whole))? else { continue };
+        let feed = within_part(cut, whole, table.feed, RoughOrFinish::Rough, &mut Vec::new())?;
+        let limit = bearable(cut, feed, depth)?;
+        let turns = passes as f64 / feed.0;
+        let bears = limit.depth_mm.is_some_and(|most| Half::of(most) >= depth);
+        if bears && best.as_ref().is_none_or(|(known, _)| turns < *known) {
+            best = Some((turns, (limit, depth)));
+        }
+    }
+    best.map_or(usual, |(_, found)| Ok(found))
+}
 
 /// The most that one pass may remove at the feed of the passes.
 ///

@@ -362,17 +362,6 @@ fn worked(contour: Contour, side: &SideWork, bench: &Bench<'_, '_>) -> Result<Co
     Ok(layers::leading_on(worked, by, along.radius / along.z))
 }
 
-/// The overlap of finishing from one zone of a hollow into the next, so that no ridge remains between two tools.
-const SEAM: Half = Half::new(2000);
-
-/// How far a finishing pass goes on over a cylinder behind its hollow: the reference point of a round nose reaches the end of a rise
-/// only behind it.
-const OVER_LIP: Half = Half::new(4000);
-
-/// What rises more steeply behind a hollow, or falls more steeply before it, than with this component along the axis, 60°, it does not
-/// follow.
-const STEEPEST: f64 = 0.5;
-
 /// The finishing passes along a hollow, zone by zone, each with a tool that reaches it.
 fn finish_hollow(
     set_up: &SetUp,
@@ -385,6 +374,10 @@ fn finish_hollow(
     if !hollow.zones.iter().all(ZoneWork::is_cleared) {
         return Ok(jobs);
     }
+    let mut limits = Limits::of(bench.knowledge);
+    let seam = Half::of(limits.length(JobLimit::HollowSeam)?);
+    let over_lip = Half::of(limits.length(JobLimit::HollowOverLip)?);
+    let steepest = limits.ratio(JobLimit::HollowSteepest)?;
     let profile = stretch(set_up, side.side);
     let profile = profile.map(|stretch| bench.sizes.profile(&stretch.profile, set_up.turned_over));
     let profile = profile.as_ref();
@@ -407,23 +400,23 @@ fn finish_hollow(
             allowances: &hollow.layers.allowances,
             needs: needs(&clip::between(contour, own.0, own.1)),
         };
-        let (mut from_z, mut to_z) = within(SEAM);
+        let (mut from_z, mut to_z) = within(seam);
         // Where the contour falls already before the hollow, the pass along the bridge has left the round of its nose there.
-        let before = clip::between(contour, first - SEAM, first);
+        let before = clip::between(contour, first - seam, first);
         let falls = |piece: &Piece| {
             let along = piece.chord().unit();
             let out = if side.side == Side::Outer { along.radius } else { -along.radius };
-            out < 0.0 && along.z > STEEPEST
+            out < 0.0 && along.z > steepest
         };
         if index == 0 && !before.pieces.is_empty() && before.pieces.iter().all(falls) {
             from_z = before.start().map_or(first, |start| start.z);
         }
-        let beyond = clip::between(contour, last, last + OVER_LIP);
+        let beyond = clip::between(contour, last, last + over_lip);
         // It follows what rises there, too; a fall or a wall it may not reach.
         let rises = |piece: &Piece| {
             let along = [piece.direction_at_start(), piece.direction_at_end()];
             let out = |along: Vector| if side.side == Side::Outer { along.radius } else { -along.radius };
-            along.into_iter().all(|along| out(along) >= -1e-9 && along.z > STEEPEST)
+            along.into_iter().all(|along| out(along) >= -1e-9 && along.z > steepest)
         };
         if is_last && beyond.pieces.iter().all(rises) {
             to_z = to_z.max(beyond.end().map_or(last, |end| end.z));

@@ -191,6 +191,7 @@ pub fn layers(
     } else {
         // What is ground later begins there, and keeps its allowance.
         let ground = ground_behind(&left, bench);
+        let by = by.max(past_parting(&left, bench)?);
         (longer(blank, by), longer(off_the_part(rough, ground), by), longer(off_the_part(left, ground), by))
     };
     Ok(Some(Layers { allowances, blank, drilled_first, rough, left, main: main.clone(), part, areas }))
@@ -293,6 +294,16 @@ pub(super) fn run_out(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, Kno
     let (table, _) = rates::of_table(bench.knowledge)?;
     let by = bench.workpiece.rates.map_or(table.approach, |rates| rates.main.approach);
     Ok(if ends_open { Half::of(by) } else { Half::ZERO })
+}
+
+/// How far the outside goes on behind its end where the part is parted off there and the next set-up turns some of it: past the
+/// blade's face by the roundest nose, whose round would stand in the way of that set-up.
+fn past_parting(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
+    let end = left.end().map(|end| end.z).filter(|end| *end < bench.workpiece.length());
+    let (Some(end), Some(face), Side::Outer) = (end, bench.parted, left.side) else { return Ok(Half::ZERO) };
+    let tools = tools::candidates(Side::Outer, Stage::Finishing, bench)?;
+    let nose = tools.iter().map(|tool| tools::nose(tool).radius).max().unwrap_or(Half::ZERO);
+    Ok(face - end + nose)
 }
 
 /// How far a contour rises at its end along the axis, in its own lengths; none where it ends with a face or a fall.

@@ -335,7 +335,9 @@ fn plan_without(
         let through = parts.and_then(Parted::drilled_to);
         let opened = if set_up.turned_over { opened::opened(&done, workpiece.length()) } else { Micrometres::ZERO };
         let turned = turned_before::turned(&done, workpiece.length()).filter(|_| set_up.turned_over);
-        let bench = Bench { workpiece, held, grip, through, opened, turned, barred: own, ..bench.clone() };
+        let parted_at = parts.map(Parted::face);
+        let bench =
+            Bench { workpiece, held, grip, through, parted: parted_at, opened, turned, barred: own, ..bench.clone() };
         // The set-up as turning tools see it: its bore ends where the hole that is made to size begins.
         let turned = match &axial {
             Some(axial) => &SetUp { inner: axial.bored.clone(), ..set_up.clone() },

@@ -43,6 +43,8 @@ pub struct Bench<'a, 'k> {
     pub sizes: &'a Sizes,
     /// How deep a through hole is drilled, where the part is parted off behind its end: past the blade.
     pub through: Option<Half>,
+    /// Z of the face at which this set-up parts the part off; none where it does not.
+    pub parted: Option<Half>,
     /// The diameter of the hole that the set-up before has opened at the far face; zero where there is none.
     pub opened: Micrometres,
     /// The outside that the set-up before has left, in the coordinates of this one; none in the first one, and where it turned nothing.
@@ -71,6 +73,7 @@ impl<'a, 'k> Bench<'a, 'k> {
             elsewhere: &[],
             sizes,
             through: None,
+            parted: None,
             opened: Micrometres::ZERO,
             turned: None,
             barred: Vec::new(),

@@ -24,7 +24,8 @@ pub struct Station {
 }
 
 impl Station {
-    fn is_of(&self, job: &Job) -> bool {
+    /// Whether it is that of a job.
+    pub fn is_of(&self, job: &Job) -> bool {
         (&self.tool, self.finishes) == kind(job)
     }
 }

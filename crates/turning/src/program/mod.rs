@@ -39,7 +39,7 @@ pub use setting::{Feeds, Setting, Speed};
 use text::ProgramWriter;
 pub use thread::NotCycled;
 use thread::ThreadWriter;
-pub use whole::{CycleOf, FreeEnd, Seat, SectionCycle, SectionLoad, ToolSection, WholeProgram, whole};
+pub use whole::{CycleOf, FreeEnd, Seat, SectionCycle, SectionLoad, ToolSection, WholeProgram, warned, whole};
 use words::ControlWords;
 
 /// Writes the cycle of a task for a control.

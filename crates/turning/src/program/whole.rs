@@ -217,6 +217,23 @@ pub fn whole(
     Ok(WholeProgram { files, remarks })
 }
 
+/// A program that must not be run, with the reasons in its first lines. Where its number comes first they stand behind it, too:
+/// what comes before it a control does not keep.
+///
+/// # Errors
+/// The control has no words.
+pub fn warned(control: &Control, file: ProgramFile, reasons: &[String]) -> Result<ProgramFile, NotWritten> {
+    let words = control.words()?;
+    let mut told = ProgramWriter::new(words);
+    reasons.iter().for_each(|reason| told.comment(&ascii(&format!("DO NOT RUN: {reason}"))));
+    let told = told.finish();
+    let text = match file.text.split_once('\n').filter(|(head, _)| head.starts_with('O')) {
+        Some((head, rest)) => format!("{told}{head}\n{told}{rest}"),
+        None => format!("{told}{}", file.text),
+    };
+    Ok(ProgramFile { text, ..file })
+}
+
 /// To the change position; after a tool its spindle and coolant stop there.
 fn change(sheet: &mut ProgramWriter<'_>, after: bool, end_of_part: FreeEnd) {
     leave(sheet, end_of_part);

@@ -37,9 +37,11 @@ impl ThreadSize {
         }
     }
 
-    /// The minor diameter D1 = d − 1.0825 P (ISO 724).
+    /// The minor diameter D1 = d − 5·√3/8 · P, to the nearest micrometre, as the tables of ISO 724 print it.
     pub fn minor(&self) -> Micrometres {
-        Micrometres::new(self.size.micrometres() - self.pitch.micrometres() * 10_825 / 10_000)
+        const OVER_PITCH_MILLIONTHS: i64 = 1_082_532;
+        let heights = self.pitch.micrometres() * OVER_PITCH_MILLIONTHS;
+        Micrometres::new(self.size.micrometres() - (heights + 500_000) / 1_000_000)
     }
 }
 
@@ -110,9 +112,17 @@ mod tests {
         for (text, size, pitch, minor) in [
             ("M36x2", 36_000, 2_000, 33_835),
             ("М 36 х 2 - 6g", 36_000, 2_000, 33_835),
-            // ISO 724: D1 of M8 is 6.647.
+            // ISO 724, D1: M6 4.917, M8 6.647, M10 8.376, M12 10.106, M20 17.294, M24 20.752, M30 26.211, M48 42.587, M64 57.505.
+            ("M6", 6_000, 1_000, 4_917),
             ("M8", 8_000, 1_250, 6_647),
-            ("M200x3", 200_000, 3_000, 196_753),
+            ("M10", 10_000, 1_500, 8_376),
+            ("M12", 12_000, 1_750, 10_106),
+            ("M20", 20_000, 2_500, 17_294),
+            ("M24", 24_000, 3_000, 20_752),
+            ("M30", 30_000, 3_500, 26_211),
+            ("M48", 48_000, 5_000, 42_587),
+            ("M64", 64_000, 6_000, 57_505),
+            ("M200x3", 200_000, 3_000, 196_752),
         ] {
             let named = read(text, &knowledge).unwrap();
             assert_eq!((named.size.micrometres(), named.pitch.micrometres()), (size, pitch), "{text}");

@@ -157,11 +157,12 @@ fn cylinders<'a>(profile: &'a Profile, classes: &[Class]) -> Vec<Cylinder<'a>> {
     cylinders
 }
 
-/// How well a cylinder holds a part: whether it is none with a thread, whether it has the usual length, its radius and its length.
-type Rank = (bool, bool, Half, Half);
+/// How well a cylinder holds a part: whether the jaws close over enough of it as they stay off the tool, whether it is none with a
+/// thread, whether it has the usual length, its radius and its length.
+type Rank = (bool, bool, bool, Half, Half);
 
-/// The clamping place of the part in the second set-up: the thickest of the cylinders that are long enough, and of
-/// these the longest. A thick cylinder transmits the torque with the least force. Where none has the usual length, one
+/// The clamping place of the part in the second set-up: the thickest of the cylinders that are long enough and that
+/// the jaws can close over as far as they must, and of these the longest. A thick cylinder transmits the torque with the least force. Where none has the usual length, one
 /// that has the shortest is taken; where there is none of these either, a thread.
 ///
 /// # Errors
@@ -176,6 +177,9 @@ pub(super) fn hold_part(
     }
     let mut best: Option<(Rank, Hold, Because)> = None;
     let mut passed = Vec::new();
+    let [near, _] = jaw_clearance(knowledge)?.map(Half::of);
+    // From there on the second set-up turns.
+    let end = made.and_then(|made| made.main.contour.end()).map_or(Half::ZERO, |end| end.z);
     for cylinder in made.iter().flat_map(|made| cylinders(&made.profile, &made.classes)) {
         let (name, diameter, length) = (&cylinder.first.name, cylinder.radius.diameter(), cylinder.touches);
         let threaded = cylinder.threaded;
@@ -186,7 +190,8 @@ pub(super) fn hold_part(
             let short = Note::new("hold-surface-short").with("surface", name).with("length", length);
             passed.push(short.with("least", lengths.least));
         }
-        let rank = (!threaded, length >= lengths.least, cylinder.radius, length);
+        let grips = length.min(end - near - cylinder.over.0) >= lengths.least_grip;
+        let rank = (grips, !threaded, length >= lengths.least, cylinder.radius, length);
         if length >= lengths.shortest && best.as_ref().is_none_or(|(other, ..)| *other < rank) {
             let (name, over) = (name.to_string(), cylinder.over);
             let hold = Hold::Surface { name, diameter_mm: diameter, length_mm: length, threaded, over };

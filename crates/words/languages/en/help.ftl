@@ -56,6 +56,7 @@ help-turn-per-pass = With path-and-passes: the addition for each pass, mm
 help-turn-show = What to show: the ways of roughing, or for a contour the operation (passes); zones, tools and the seven schemes (operation); the same with a drawing of the toolpath of each scheme (schemes); the optimum pass by pass (steps, with --format svg); the variants by the ratio of length to diameter (map); a program of single motions (program) or with the cycles of the control for roughing and threads (cycle); the tool list and setting sheet (setting); tool.tbl of LinuxCNC (tool-table)
 help-turn-control = With program, cycle and setting: the control, linuxcnc, fanuc or sinumerik; for nc-201 setting only, its language is not published
 help-turn-number = With program and cycle: the number of the program; the list of programs is printed to the error stream
+help-turn-force = With program and cycle: write it even if it does not make the whole part; its first lines then say why it must not be run
 help-turn-spindle = With program and cycle: the spindle speed, rpm, if the lathe does not give it
 help-turn-variant = With program and steps: the way of roughing to write: longitudinal, transverse, per-step, optimal, verticals, levels, horizontals-a or horizontals-b; by default the passes of the operation
 help-turn-moves = Which passes are allowed: those of the paper (basic), or also passes that stop anywhere and cut less deep (rich); by default as in the file

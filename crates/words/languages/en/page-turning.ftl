@@ -216,6 +216,8 @@ turn-frames = { $variant }: { $path } mm, { $count } { $count ->
 turn-frame = { $number }. { $kind }, { $length } mm, { $sum } in all
 turn-scheme-panel = { $scheme }: cutting { $cutting } mm, idle { $idle } mm, { $time } min
 turn-working-feed = working feed
+turn-drawn-diameter = Ø{ $nominal } { $fit }: { $least } to { $most }
+turn-drawn-length = { $nominal } { $fit }: { $least } to { $most }
 turn-layers = Set-up { $set_up }, { $side }: allowances and zones
 turn-way = Set-up { $set_up }, { $side }, zone { $zone }: { $scheme }, t_p = { $depth } mm; cutting { $cutting } mm, { $time } min
 turn-way-rapid = rapid

@@ -56,6 +56,7 @@ help-turn-per-pass = Для path-and-passes: надбавка до шляху н
 help-turn-show = Що показати: passes – способи чорнової обробки (для контуру – операцію), operation – зони, різці й сім схем, schemes – те саме й на рисунку траєкторія кожної схеми, steps – оптимум хід за ходом (--format svg), map – варіанти за відношенням довжини до діаметра, program – програму з окремих переміщень, cycle – програму з циклами пристрою ЧПК для чорнової обробки й різі, setting – перелік інструментів і карту налагодження, tool-table – tool.tbl для LinuxCNC
 help-turn-control = Для program, cycle і setting: пристрій ЧПК, linuxcnc, fanuc або sinumerik; для nc-201 – лише setting, опису його мови не опубліковано
 help-turn-number = Для program і cycle: номер програми; перелік програм друкується в потік помилок
+help-turn-force = Для program і cycle: записати, навіть якщо програма не робить усієї деталі; тоді перші рядки кажуть, чому її не можна запускати
 help-turn-spindle = Для program і cycle: частота обертання, об/хв, якщо верстат її не дає
 help-turn-variant = Для program зі steps: який спосіб чорнової обробки записати: longitudinal, transverse, per-step, optimal, verticals, levels, horizontals-a чи horizontals-b; якщо не задано – ходи операції
 help-turn-moves = Які ходи допустимі: лише ті, що в статті (basic), чи й такі, що зупиняються будь-де і знімають менше (rich); якщо не задано – як у файлі

@@ -219,6 +219,8 @@ turn-frames = { $variant }: { $path } мм, { $count } { $count ->
 turn-frame = { $number }. { $kind }, { $length } мм, разом { $sum }
 turn-scheme-panel = { $scheme }: різання { $cutting } мм, холості ходи { $idle } мм, { $time } хв
 turn-working-feed = робоча подача
+turn-drawn-diameter = Ø{ $nominal } { $fit }: { $least }…{ $most }
+turn-drawn-length = { $nominal } { $fit }: { $least }…{ $most }
 turn-layers = Установ { $set_up }, { $side }: припуски та зони
 turn-way = Установ { $set_up }, { $side }, зона { $zone }: { $scheme }, t{"р.х"} = { $depth } мм; різання { $cutting } мм, { $time } хв
 turn-way-rapid = прискорене переміщення

@@ -347,7 +347,7 @@ impl Maker<'_> {
             return;
         }
         let Some(shape) = self.shape(words, mode, span) else { return };
-        let corner = if mode == WordEffect::Line { self.corner(words) } else { None };
+        let corner = if self.has_corner(mode) { self.corner(words) } else { None };
         self.before_moving(span, mode != WordEffect::Rapid);
         match mode {
             WordEffect::Rapid => self.push_motion(LatheAct::Rapid, shape.to),
@@ -355,6 +355,12 @@ impl Maker<'_> {
             _ => self.cut(shape, span),
         }
         self.state.corner = corner;
+    }
+
+    /// Whether a motion may end with a chamfer or a rounding: on Sinumerik an arc may, too.
+    pub fn has_corner(&self, mode: WordEffect) -> bool {
+        let arc = matches!(mode, WordEffect::Clockwise | WordEffect::Counterclockwise);
+        mode == WordEffect::Line || arc && self.is(LatheReader::Sinumerik)
     }
 
     /// A cycle of which only the name is known here: told, and nothing of it is made. Such cycles end where they begin.
@@ -502,13 +508,7 @@ impl Maker<'_> {
 
     /// A line synchronised with the spindle; LinuxCNC measures the lead along the line, the others along its longer
     /// axis.
-    pub fn thread_to(
-        &mut self,
-        from: LathePoint,
-        to: LathePoint,
-        (lead, start_deg): (f64, f64),
-        span: TextSpan,
-    ) {
+    pub fn thread_to(&mut self, from: LathePoint, to: LathePoint, (lead, start_deg): (f64, f64), span: TextSpan) {
         self.thread_at(span);
         let (dx, dz) = ((to.radius_mm - from.radius_mm).abs(), (to.z_mm - from.z_mm).abs());
         let along = match self.language.kind {

@@ -312,7 +312,7 @@ impl Run<'_> {
                     let before = self.motions.iter_mut().rev().find(|motion| motion.act.moves());
                     match corner.between(before, behind) {
                         Ok(at_corner) => motions.splice(0..0, at_corner).for_each(drop),
-                        Err(code) => faults.push(fault(code, corner.span, block.number)),
+                        Err(code) => faults.push(corner.fault(code, block.number)),
                     }
                 }
                 None => state.corner = Some(corner),
@@ -515,7 +515,7 @@ impl Run<'_> {
                     return None;
                 };
                 if let Some(shape) = inner.shape(&words, mode, block.span) {
-                    let corner = if mode == WordEffect::Line { inner.corner(&words) } else { None };
+                    let corner = if inner.has_corner(mode) { inner.corner(&words) } else { None };
                     if let (Some(from), Some(to)) = (inner.state.at.point(), shape.to.point()) {
                         let (from, to) = (super::block::spot(from), super::block::spot(to));
                         if from.to(to) > 0.0 {
@@ -525,7 +525,7 @@ impl Run<'_> {
                             match waiting.take().map(|corner| (corner, corner.between_legs(legs.last_mut(), &mut leg)))
                             {
                                 Some((_, Ok(at_corner))) => legs.extend(at_corner),
-                                Some((corner, Err(code))) => inner.report(code, corner.span),
+                                Some((corner, Err(code))) => inner.faults.push(corner.fault(code, block.number)),
                                 None => {}
                             }
                             legs.push(leg);
