@@ -198,7 +198,7 @@ impl Watch {
     /// A spindle that turns round at the bottom of a feed cuts a thread: then the feed of a turn is its pitch.
     fn turns_round(&mut self, turning: Turning, block: BlockRef) {
         let (Some(feed), true) = (self.down, turning != self.turning) else { return };
-        if turning == Turning::Stopped || self.turning == Turning::Stopped {
+        if turning == Turning::Stopped || self.turning == Turning::Stopped || self.speed <= 0.0 {
             return;
         }
         self.backwards = None;
@@ -253,7 +253,7 @@ impl Watch {
             return;
         }
         let turns = seconds * self.speed / 60.0;
-        let cutting = self.down.is_some() && self.turning != Turning::Stopped;
+        let cutting = self.down.is_some() && self.turning != Turning::Stopped && self.speed > 0.0;
         let note = |code: &'static str, needed: f64, limit: &'static str| {
             let shown = crate::units::round_to(needed, 3);
             (code, Note::new(code).with("seconds", seconds).with("needed", shown).with("limit", limit.to_owned()))

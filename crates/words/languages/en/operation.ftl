@@ -30,8 +30,8 @@ face-stock-thin = the blank's stock on the face is { $lack } mm less than the fi
 zone-behind-standing = zone { $zone }: the tool cannot reach it, because zone { $before } in front of it is not cleared
 groove-too-deep = it is { $depth } mm deep, more than the { $reach } mm of the tool
 bounds-exceeded = { $tool }: at t_p = { $depth } mm these limits are exceeded: { $bounds }
-passes-shallower = zone { $zone }: { $tool } takes { $depth } mm a pass, not { $limit } mm: at that these limits would be exceeded: { $bounds }
     .help = leave less for finishing (`allowance:` of the surface), support the part (tailstock, steady rest, a second set-up), or let it stand out less
+passes-shallower = zone { $zone }: { $tool } takes { $depth } mm a pass, not { $limit } mm: at that these limits would be exceeded: { $bounds }
 tool-order = of those that fit this one is taken: { $prefer }
 turning-skin = blank: { $kind }, its surface: { $surface }
 returns-saved = one zone instead of one over each part: on the same levels of { $depth } mm { $joined } passes and returns instead of { $split }

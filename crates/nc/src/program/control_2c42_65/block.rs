@@ -305,6 +305,10 @@ impl Maker<'_> {
             return;
         }
         self.state.length_in_force = corrector;
+        // T alone names the next tool; with its length the one before would go down.
+        if corrector > 0 && corrector == self.state.wanted && corrector != self.state.tool {
+            self.report("tool-not-brought", span, &[("tool", corrector.into_figure())]);
+        }
         self.push(Motion::LengthCorrection { axis, corrector: Some(corrector), value });
         if same {
             return;

@@ -57,6 +57,7 @@ pub(super) const RULES: &[Rule] = &[
     ("finer-than-machine", Warning, "3.8.2"),
     ("tool-beyond-magazine", Warning, "3.13.2"),
     ("no-tool", Error, "3.13.2*"),
+    ("tool-not-brought", Wrong, "3.13.2*"),
     ("turning-at-change", Wrong, "3.13.2*"),
     ("change-elsewhere", Warning, "5.2 (11.1)"),
     ("spindle-without-speed", Error, "3.13.1*"),

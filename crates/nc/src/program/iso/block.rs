@@ -367,6 +367,10 @@ impl Maker<'_> {
             };
             corrector = number;
             value = self.corrector(number, function).unwrap_or_default();
+            // T alone names the next tool; with its length the one before would go down.
+            if number > 0 && number == self.state.wanted && number != self.state.tool && self.control.changes_tools() {
+                self.report("tool-not-brought", function.span, &[("tool", number.into_figure())]);
+            }
         }
         self.state.length = value;
         self.push(Motion::LengthCorrection { axis: Axis::Z, corrector: Some(corrector), value });

@@ -192,7 +192,10 @@ impl Maker<'_> {
         let target = self.target(words, true);
         let Some(span) = target.span else { return };
         let code = if self.control.is(Q::MachinePositionAtRapid) { Some(0) } else { self.state.mode(Group::Motion) };
-        let motion = match code.filter(|_| words.function(Group::Cycle).is_none()) {
+        // G80 beside it only ends a cycle, where it is no function of motion.
+        let ends = |it: Function| self.control.g.get(&it.code).is_some_and(|it| it.effect == Effect::CycleOff);
+        let other = words.function(Group::Cycle).filter(|it| self.control.is(Q::CyclesAreMotions) || !ends(*it));
+        let motion = match code.filter(|_| other.is_none()) {
             Some(0) => Motion::Rapid,
             Some(10) => Motion::Feed { feed_mm_per_min: self.line_feed(target.at, span) },
             _ => {

@@ -55,6 +55,7 @@ pub(super) const RULES: &[Rule] = &[
     ("finer-than-machine", Warning, "machine"),
     ("tool-beyond-magazine", Warning, "machine"),
     ("no-tool", Error, "machine"),
+    ("tool-not-brought", Wrong, "machine"),
     ("change-elsewhere", Warning, "machine"),
     ("change-turning", Error, "machine"),
     ("spindle-without-speed", Error, "machine"),
