@@ -216,9 +216,19 @@ impl Made {
         serious(&self.planned.plan, &self.planned.job).into_iter().chain(&self.undone).collect()
     }
 
-    /// Why the program must not be run: the gravest that is told of it.
+    /// What is left undone of the part when the program has run.
+    pub fn left(&self) -> &[Finding] {
+        &self.undone
+    }
+
+    /// Why the program must not be run, the gravest that is told of it; or else what it leaves undone.
     pub fn reason(&self) -> Option<Finding> {
-        let findings = self.findings();
+        self.gravest().or_else(|| self.undone.first().cloned())
+    }
+
+    /// The gravest of what is wrong with the program, beside what it leaves undone.
+    pub fn gravest(&self) -> Option<Finding> {
+        let findings = serious(&self.planned.plan, &self.planned.job);
         let of_part = findings.iter().filter(|own| own.severity <= Severity::Wrong).map(|own| (*own).clone());
         let of_text = self.faults.iter().filter(|fault| fault.is_grave());
         let of_text = of_text.map(|fault| Finding::of_part(fault.severity, fault.note.clone()));

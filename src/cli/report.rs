@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use technolog::error::KnowledgeError;
+use technolog::note::Finding;
 use technolog::plan::CuttingMethod;
 use technolog::report::encoding::encoding_sheet;
 use technolog::report::laboratory::{self, Sources, TitleBlock, read_title};
@@ -41,15 +42,26 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let made = Made::of(plan, control, (None, true), knowledge).map_err(at_fault)?;
     let (plan, job) = (&made.planned.plan, &made.planned.job);
     let sheet = encoding_sheet(&made.written, job, plan, control, knowledge, context.lang).map_err(at_fault)?;
-    let warning = made.reason().map(|reason| {
-        let said = context.lang.say(&reason.note);
-        reason.hole.iter().fold(said, |told, hole| format!("{hole}: {told}"))
-    });
+    let said = |finding: Finding| {
+        let told = context.lang.say(&finding.note);
+        finding.hole.iter().fold(told, |told, hole| format!("{hole}: {told}"))
+    };
+    let warning = made.gravest().map(said);
+    let left: Vec<String> = made.left().iter().cloned().map(said).collect();
     let warning = warning.as_deref();
-    let sources = Sources { plan, job, setting: &made.setting, sheet: &sheet, steps: &made.steps, warning, knowledge };
+    let sources = Sources {
+        plan,
+        job,
+        setting: &made.setting,
+        sheet: &sheet,
+        steps: &made.steps,
+        warning,
+        left: &left,
+        knowledge,
+    };
     let page = laboratory::page(&sources, &title, context.lang).map_err(at_fault)?;
     context.emit_document(&page, format)?;
-    Ok(if plan.has_errors() || warning.is_some() { Outcome::Findings } else { Outcome::Done })
+    Ok(if plan.has_errors() || warning.is_some() || !left.is_empty() { Outcome::Findings } else { Outcome::Done })
 }
 
 fn title_block(path: &Path, context: &Context) -> Result<TitleBlock, CliError> {

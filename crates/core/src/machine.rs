@@ -128,6 +128,9 @@ pub struct Machine<'k> {
     pub travel_y: Micrometres,
     /// Travel of the quill along Z, of the whole stroke.
     pub travel_z: Micrometres,
+    /// The middle of the travels along X and Y, where the spindle stands over the middle of the table, machine coordinates: zero
+    /// where the machine has its zero there, as ГФ2171 has.
+    pub middle: [Micrometres; 2],
     /// The least step of its axes.
     pub resolution: Micrometres,
     /// Largest mass of a part, kg.
@@ -254,6 +257,7 @@ impl<'k> Machine<'k> {
             travel_x: length(Q::TravelX)?,
             travel_y: length(Q::TravelY)?,
             travel_z: length(Q::TravelZ)?,
+            middle: [Q::TravelMiddleX, Q::TravelMiddleY].map(|own| length_if_any(own).unwrap_or_default()),
             resolution: length(Q::Resolution)?,
             load_max_kg: number(Q::LoadMassMax)?,
             magazine: number(Q::MagazinePlaces)? as usize,
@@ -297,6 +301,17 @@ impl<'k> Machine<'k> {
             unit: row.unit.and_then(|unit| unit.parse().ok()).unwrap_or(Unit::None),
             text: row.text,
         })
+    }
+
+    /// The range of an axis in machine coordinates, least and greatest: X and Y about the middle of their travels, Z down from zero
+    /// (textbook, l. 4719-4728).
+    pub fn range(&self, axis: Axis) -> (Micrometres, Micrometres) {
+        let around = |middle: Micrometres, travel: Micrometres| (middle - travel.half(), middle + travel.half());
+        match axis {
+            Axis::X => around(self.middle[0], self.travel_x),
+            Axis::Y => around(self.middle[1], self.travel_y),
+            Axis::Z => (-self.travel_z, Micrometres::ZERO),
+        }
     }
 
     /// The row of a quantity, for citing it.

@@ -40,13 +40,13 @@ pub(super) fn faults(setup: &SetUp, plan: &Plan, machine: &Machine<'_>, findings
     }
 }
 
-/// Work beyond the travel, with the part where it lies: |zero + point| + swing ≤ travel/2, mm.
+/// Work beyond the travel, with the part where it lies: |zero + point − middle| + swing ≤ travel/2, mm.
 fn travels(setup: &SetUp, part: &Part, machine: &Machine<'_>, findings: &mut Vec<Finding>) {
     // Holes further apart than the travel are told of the part.
     let spans: Vec<Axis> =
         zone::spans(part).filter(|(axis, low, high)| *high - *low > machine.travel(*axis)).map(|one| one.0).collect();
     for axis in [Axis::X, Axis::Y].into_iter().filter(|axis| !spans.contains(axis)) {
-        let zero = setup.zero.get(axis);
+        let zero = setup.zero.get(axis) - machine.middle[axis.index()];
         let reached = reaches(setup).map(|(at, swing, hole)| ((zero + along(at, axis)).abs() + swing, hole));
         let most = machine.travel(axis).half();
         if let Some((reached, hole)) = reached.max().filter(|(reached, _)| *reached > most) {
@@ -66,7 +66,8 @@ fn beyond_edge(setup: &SetUp, plan: &Plan, machine: &Machine<'_>, findings: &mut
     ];
     for (axis, begin, size, table) in sides {
         let Some(table) = table else { continue };
-        let zero = setup.zero.get(axis);
+        // From the middle of the table.
+        let zero = setup.zero.get(axis) - machine.middle[axis.index()];
         let edge = table.half();
         let over = (-edge - zero - begin).max(zero + begin + size - edge);
         if over <= Micrometres::ZERO {

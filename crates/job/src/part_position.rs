@@ -2,7 +2,7 @@
 
 use crate::error::KnowledgeError;
 use crate::machine::Machine;
-use crate::motion::Position;
+use crate::motion::{Axis, Position};
 use crate::note::{Finding, Note, Severity};
 use crate::part::{Part, Point};
 use crate::plan::Plan;
@@ -25,8 +25,8 @@ pub(super) struct PartPosition {
 
 /// The zero of a set-up, and findings about what does not fit.
 ///
-/// - X and Y: the middle of the blank is over the middle of the table, where the machine has its zero. If points
-///   would then be outside the travel, the blank is shifted so that they are in its middle.
+/// - X and Y: the middle of the blank is over the middle of the table, which the spindle stands over in the middle of the
+///   travels. If points would then be outside the travel, the blank is shifted so that they are in its middle.
 /// - Z: the knee is as high as the longest tool allows: with the quill retracted this tool clears the part by the
 ///   retract height. It is the reference tool of the corrections, so its tip is used for measuring the zero.
 /// - Under the part there is room for tools that go through: without a height of the fixture, supports of whole
@@ -75,8 +75,8 @@ pub(super) fn across(part: &Part, works: &[ToolWork], machine: &Machine<'_>) -> 
     let points = || ends.iter().flatten();
     let middle = part.middle();
     Point {
-        x: along(-middle.x, points().map(|at| at.x), machine.travel_x),
-        y: along(-middle.y, points().map(|at| at.y), machine.travel_y),
+        x: along(middle.x, points().map(|at| at.x), machine.range(Axis::X)),
+        y: along(middle.y, points().map(|at| at.y), machine.range(Axis::Y)),
     }
 }
 
@@ -110,10 +110,15 @@ fn supports(
 }
 
 /// The zero of one axis: with the blank in the middle, or shifted so far that all points are reached.
-fn along(zero: Micrometres, points: impl Iterator<Item = Micrometres> + Clone, travel: Micrometres) -> Micrometres {
+fn along(
+    middle: Micrometres,
+    points: impl Iterator<Item = Micrometres> + Clone,
+    (least, most): (Micrometres, Micrometres),
+) -> Micrometres {
+    let over = (least + most).half();
+    let zero = over - middle;
     let (Some(low), Some(high)) = (points.clone().min(), points.max()) else { return zero };
-    let half = travel.half();
-    if zero + low < -half || zero + high > half { -(low + high).half() } else { zero }
+    if zero + low < least || zero + high > most { over - (low + high).half() } else { zero }
 }
 
 fn up_to(value: Micrometres, step: Micrometres) -> Micrometres {

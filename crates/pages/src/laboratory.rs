@@ -10,14 +10,15 @@ use crate::job::Job;
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::motion::MotionStep;
-use crate::note::{Note, Severity};
-use crate::part::Hole;
+use crate::note::Note;
+use crate::part::{CentreTolerance, Hole, HoleStep};
 use crate::plan::{HolePlan, Plan, Transition};
 use crate::program::Setting;
+use crate::units::Micrometres;
 
 use super::backplot::{Frame, backplot};
 use super::encoding::EncodingSheet;
-use super::sheet::{self, exactly, mm, route};
+use super::sheet::{self, exactly, mm, rounded, route};
 use super::words::say;
 use super::{Doubts, Lang, cycles, operation_noun, setting, transitions};
 
@@ -45,6 +46,8 @@ pub struct Sources<'a> {
     pub steps: &'a [MotionStep],
     /// Why the program must not be run, in words; none if it may.
     pub warning: Option<&'a str>,
+    /// What is left undone of the part when the program has run, in words.
+    pub left: &'a [String],
     /// The tables.
     pub knowledge: &'a Knowledge,
 }
@@ -91,12 +94,15 @@ fn part(page: &mut Document, number: u8, own: &Sources<'_>, title: &TitleBlock, 
         1 => by_author(page, title.aim.as_deref(), "lab-write-aim", lang),
         2 => task(page, plan, title, lang),
         3 => equipment(page, own, machine, lang),
-        4 => limits::section(page, plan, machine, lang),
-        5 => page.paragraph(blank(plan, lang)),
+        4 => limits::section(page, own, machine, lang),
+        5 => blank(page, plan, own.knowledge, lang),
         6 => steps(page, plan, lang),
         7 => route::work(page, plan, lang),
         8 => page.push(sheet::tools(plan, lang)),
-        9 => sheet::conditions(page, plan, lang),
+        9 => {
+            sheet::conditions(page, plan, lang);
+            allowances(page, plan, lang);
+        }
         10 => {
             sheet::set_up(page, plan, lang);
             by_author(page, title.fixture.as_deref(), "lab-write-fixture", lang);
@@ -141,6 +147,7 @@ fn task(page: &mut Document, plan: &Plan, title: &TitleBlock, lang: Lang) {
         Column::text(say!(lang, "lab-size")),
         Column::number(say!(lang, "lab-depth"), unit),
         Column::text(say!(lang, "lab-roughness")),
+        Column::text(say!(lang, "lab-more")),
         Column::text(say!(lang, "lab-places")).min_width(24),
     ]);
     for hole in &plan.part.holes {
@@ -151,6 +158,7 @@ fn task(page: &mut Document, plan: &Plan, title: &TitleBlock, lang: Lang) {
             size(hole, lang).into(),
             depth(hole, lang),
             lang.figure(&crate::note::IntoFigure::into_figure(hole.roughness)).into(),
+            more(hole, lang).join("; ").into(),
             points.collect::<Vec<_>>().join(", ").into(),
         ]);
     }
@@ -169,6 +177,33 @@ fn size(hole: &Hole, lang: Lang) -> String {
     }
 }
 
+/// What else the drawing asks of a hole: steps, openings, edges, and the tolerance of its place.
+fn more(hole: &Hole, lang: Lang) -> Vec<String> {
+    let step = |step: &HoleStep| match &step.thread {
+        Some(thread) => say!(lang, "lab-step-of", size = thread.written.as_str(), depth = step.depth),
+        None => say!(lang, "lab-step-of", size = &step.diameter, depth = step.depth),
+    };
+    let mut all: Vec<String> = hole.steps.iter().map(step).collect();
+    if let Some(own) = hole.counterbore {
+        all.push(say!(lang, "lab-counterbore", diameter = own.diameter, depth = own.depth));
+    }
+    let angle = |millideg: u32| rounded(f64::from(millideg) / 1000.0, 3);
+    if let Some(own) = hole.countersink {
+        all.push(say!(lang, "lab-countersink", diameter = own.diameter, angle = angle(own.angle_millideg)));
+    }
+    if let Some(own) = hole.cone {
+        all.push(say!(lang, "lab-cone", diameter = own.diameter, angle = angle(own.angle_millideg)));
+    }
+    all.extend(hole.face.map(|diameter| say!(lang, "lab-face", diameter = diameter)));
+    all.extend(hole.groove.map(|own| say!(lang, "lab-groove", diameter = own.diameter, width = own.width)));
+    all.extend(hole.chamfer.map(|chamfer| say!(lang, "lab-chamfer", chamfer = chamfer)));
+    all.push(match hole.centre_tolerance {
+        CentreTolerance::Width(width) => say!(lang, "lab-centre", width = width),
+        CentreTolerance::Grade { it } => say!(lang, "lab-centre-of-grade", it = it),
+    });
+    all
+}
+
 fn depth(hole: &Hole, lang: Lang) -> Inlines {
     if hole.through { say!(lang, "lab-through").into() } else { Inlines::number(mm(hole.depth, lang)) }
 }
@@ -179,12 +214,36 @@ fn equipment(page: &mut Document, own: &Sources<'_>, machine: &Machine<'_>, lang
     page.push(limits::record(machine, lang));
 }
 
-fn blank(plan: &Plan, lang: Lang) -> String {
-    let blank = plan.part.blank;
-    let plate = say!(lang, "plan-plate", length = blank.length, width = blank.width, thickness = blank.thickness);
-    match plan.part.mass_kg {
-        Some(mass) => say!(lang, "lab-blank-of-mass", blank = plate, mass = exactly(mass, 1)),
-        None => say!(lang, "lab-blank-is", blank = plate),
+fn blank(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
+    sheet::head(page, plan, knowledge, lang);
+    if let Some(mass) = plan.part.mass_kg {
+        page.paragraph(say!(lang, "lab-blank-mass", mass = exactly(mass, 1)));
+    }
+}
+
+/// What each transition takes off a hole that is there: the diameters before and after it, and the allowance on the diameter.
+fn allowances(page: &mut Document, plan: &Plan, lang: Lang) {
+    let mm = lang.word("unit-mm");
+    let mut table = Table::new([
+        Column::text(say!(lang, "plan-hole")).min_width(4),
+        Column::text(say!(lang, "plan-transition")),
+        Column::number(say!(lang, "lab-before"), mm),
+        Column::number(say!(lang, "lab-after"), mm),
+        Column::number(say!(lang, "lab-allowance"), mm),
+    ]);
+    for hole in &plan.holes {
+        let widened =
+            |own: &&Transition| own.from_diameter_mm > Micrometres::ZERO && own.from_diameter_mm < own.diameter_mm;
+        for own in hole.transitions.iter().filter(widened) {
+            let figures = [own.from_diameter_mm, own.diameter_mm, own.diameter_mm - own.from_diameter_mm];
+            let figures = figures.map(|figure| Inlines::number(self::mm(figure, lang)));
+            let what = operation_noun(own.operation.name(), lang);
+            table.row([Inlines::from(hole.name.as_str()), what.into()].into_iter().chain(figures));
+        }
+    }
+    if !table.is_empty() {
+        page.heading(3, say!(lang, "lab-allowances"));
+        page.push(table);
     }
 }
 
@@ -242,6 +301,7 @@ fn program(page: &mut Document, own: &Sources<'_>, lang: Lang) {
     if let Some(warning) = own.warning {
         page.paragraph(say!(lang, "lab-not-to-run", why = warning));
     }
+    own.left.iter().for_each(|left| page.paragraph(say!(lang, "lab-left", what = left.as_str())));
     page.paragraph(say!(lang, "lab-program-form"));
     page.blocks.extend(own.sheet.page().blocks);
 }
@@ -249,20 +309,31 @@ fn program(page: &mut Document, own: &Sources<'_>, lang: Lang) {
 /// What the plan's own figures say, what stays undone, and the place for the author's words.
 fn conclusions(page: &mut Document, own: &Sources<'_>, title: &TitleBlock, lang: Lang) {
     let plan = own.plan;
-    let made: usize = plan.holes.iter().map(|hole| hole.transitions.iter().filter(|own| !own.elsewhere).count()).sum();
+    let here = |hole: &&HolePlan| hole.transitions.iter().any(|own| !own.elsewhere);
+    let count = |holes: &mut dyn Iterator<Item = &str>| {
+        let of = |name: &str| plan.part.holes.iter().find(|own| own.name == name).map_or(0, |own| own.at.len());
+        holes.map(of).sum::<usize>()
+    };
+    let transitions: usize =
+        plan.holes.iter().map(|own| own.transitions.iter().filter(|it| !it.elsewhere).count()).sum();
     let note = Note::new("lab-made")
-        .with("holes", plan.part.holes.iter().map(|hole| hole.at.len()).sum::<usize>())
+        .with("holes", count(&mut plan.holes.iter().filter(here).map(|own| own.name.as_str())))
+        .with("all", count(&mut plan.part.holes.iter().map(|own| own.name.as_str())))
         .with("tools", plan.tools.len())
-        .with("transitions", made)
+        .with("transitions", transitions)
         .with("setups", own.job.setups.len())
         .with("time", exactly(plan.time.total_min.0, 2));
     page.paragraph(lang.say(&note));
+    own.left.iter().for_each(|left| page.paragraph(say!(lang, "lab-left", what = left.as_str())));
     if let Some((hole, time)) = slowest(plan) {
         page.paragraph(say!(lang, "lab-slowest", hole = hole.name.as_str(), time = exactly(time, 2)));
     }
-    sheet::findings(page, plan, Doubts::Counted, lang);
-    let is_clean = plan.findings.iter().all(|finding| finding.severity > Severity::Wrong);
-    if is_clean && own.warning.is_none() {
+    let (listed, counted) = Doubts::Counted.split(plan.findings.iter());
+    listed.into_iter().for_each(|finding| sheet::finding(page, finding, lang));
+    if let Some(count) = counted.and_then(|counted| counted.figure_text("count")) {
+        page.paragraph(say!(lang, "lab-unconfirmed", count = count));
+    }
+    if !plan.has_errors() && own.warning.is_none() {
         page.paragraph(say!(lang, "lab-nothing-wrong"));
     }
     by_author(page, title.conclusions.as_deref(), "lab-write-conclusions", lang);

@@ -100,7 +100,8 @@ pub(super) fn mark<'b>(because: impl IntoIterator<Item = &'b Because>) -> &'stat
     if because.into_iter().any(|reason| reason.unconfirmed.is_some()) { MARK } else { "" }
 }
 
-fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
+/// Material, blank and machine.
+pub(super) fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
     let part = &plan.part;
     let material = Material::find(knowledge, &part.material);
     let material = material.map(|material| match part.material_state {
@@ -170,8 +171,7 @@ pub(super) fn findings_of_errors(page: &mut Document, plan: &Plan, lang: Lang) {
     plan.findings.iter().filter(|own| own.severity <= Severity::Wrong).for_each(|own| finding(page, own, lang));
 }
 
-/// All that is to be said of a plan.
-pub(super) fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
+fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
     let (listed, counted) = doubts.split(plan.findings.iter());
     if let Some(counted) = counted {
         page.push(FindingBlock::new(Shown::Doubtful, MARK, Inlines::sentence(&lang.say(&counted))));
@@ -179,7 +179,8 @@ pub(super) fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: L
     listed.into_iter().for_each(|own| finding(page, own, lang));
 }
 
-fn finding(page: &mut Document, finding: &Finding, lang: Lang) {
+/// A finding of a plan.
+pub(super) fn finding(page: &mut Document, finding: &Finding, lang: Lang) {
     let (severity, word) = match finding.severity {
         Severity::Error => (Shown::Error, say!(lang, "plan-impossible")),
         Severity::Wrong => (Shown::Wrong, say!(lang, "plan-wrong")),

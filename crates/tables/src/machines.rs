@@ -17,6 +17,8 @@ vocabulary! {
         TravelX = "travel-x",
         TravelY = "travel-y",
         TravelZ = "travel-z",
+        TravelMiddleX = "travel-middle-x",
+        TravelMiddleY = "travel-middle-y",
         TableLength = "table-length",
         TableWidth = "table-width",
         TSlots = "t-slots",

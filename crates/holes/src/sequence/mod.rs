@@ -208,9 +208,9 @@ pub fn visit_bound(visit: &ToolVisit, plan: &Plan, machine: &Machine<'_>) -> Opt
     Some(Minutes((((visit.rapid_min.0 - saved.0) * 1000.0).floor() / 1000.0).max(0.0)))
 }
 
-/// Where the spindle stands over the part when tools are changed: the machine's zero is over the middle of
-/// the table, and the middle of the blank is set up there.
+/// Where the spindle stands over the part when tools are changed: the middle of the blank is set up over the middle of the table.
 pub fn tool_change_point(part: &Part, machine: &Machine<'_>) -> Point {
     let middle = part.middle();
-    Point { x: middle.x + machine.tool_change_at.0, y: middle.y + machine.tool_change_at.1 }
+    let [x, y] = machine.middle;
+    Point { x: middle.x + machine.tool_change_at.0 - x, y: middle.y + machine.tool_change_at.1 - y }
 }

@@ -22,8 +22,9 @@ fn stand(plan: &Plan, job: &Job, setup: &SetUp, (frame, machine): (u8, &Machine<
         set_up: setup.number,
         face: setup.face,
         height_mm: setup.supports,
-        corner_mm: Point { x: zero.x + datum.left, y: zero.y + datum.front },
-        nose_to_table_mm: machine.nose_to_table.map(|_| setup.nose),
+        corner_mm: Point { x: zero.x + datum.left - machine.middle[0], y: zero.y + datum.front - machine.middle[1] },
+        // A machine without a knee has one height.
+        nose_to_table_mm: machine.nose_to_table.filter(|(least, most)| least < most).map(|_| setup.nose),
         frame,
         zero_mm: [zero.x, zero.y, zero.z],
         // Turned over about the line through its middle along Y, the part keeps its sides where they were.

@@ -17,9 +17,8 @@ pub(super) type Spans = BTreeMap<(u8, usize), (Micrometres, Micrometres)>;
 /// The range of each axis in a motion, least and greatest.
 pub(super) type AxisRanges = [(Micrometres, Micrometres); 3];
 
-/// The part of a motion outside the travels. If the zero of an axis is set, its machine position is known: X and Y
-/// have their zero in the middle, Z at the upper end (textbook, l. 4719-4728). Otherwise the required length of
-/// travel is.
+/// The part of a motion outside the travels. If the zero of an axis is set, its machine position is known; otherwise the required
+/// length of travel is.
 pub(super) fn beyond_travel(
     machine: &Machine<'_>,
     reached: AxisRanges,
@@ -34,7 +33,7 @@ pub(super) fn beyond_travel(
         if low == here && high == here {
             continue;
         }
-        let (least, most) = travel(machine, axis);
+        let (least, most) = machine.range(axis);
         match floating[axis.index()] {
             None => {
                 let beyond = if low < least { Some(low) } else { Some(high).filter(|high| *high > most) };
@@ -74,15 +73,6 @@ fn system_name(system: u8) -> String {
     match system.checked_sub(59) {
         Some(more @ 1..) => format!("G59.{more}"),
         _ => format!("G{system}"),
-    }
-}
-
-/// The range of an axis, machine coordinates.
-fn travel(machine: &Machine<'_>, axis: Axis) -> (Micrometres, Micrometres) {
-    match axis {
-        Axis::X => (-machine.travel_x.half(), machine.travel_x.half()),
-        Axis::Y => (-machine.travel_y.half(), machine.travel_y.half()),
-        Axis::Z => (-machine.travel_z, Micrometres::ZERO),
     }
 }
 

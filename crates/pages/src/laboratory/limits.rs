@@ -1,6 +1,6 @@
 //! What the part needs of the machine beside what the machine has: the ground of the conclusion that it can be made.
 
-use crate::document::{Column, Document, Table};
+use crate::document::{Block, Column, Document, Inlines, Table};
 use crate::machine::Machine;
 use crate::note::Figure;
 use crate::part::Point;
@@ -9,7 +9,7 @@ use crate::units::Micrometres;
 
 use super::super::sheet::findings_of_errors;
 use super::super::words::say;
-use super::Lang;
+use super::{Lang, Sources};
 
 /// The record of the machine: every characteristic that is a number or a word, with its unit.
 pub(super) fn record(machine: &Machine<'_>, lang: Lang) -> Table {
@@ -29,7 +29,8 @@ pub(super) fn record(machine: &Machine<'_>, lang: Lang) -> Table {
 }
 
 /// The inequalities, each with both sides; then what stands against the part.
-pub(super) fn section(page: &mut Document, plan: &Plan, machine: &Machine<'_>, lang: Lang) {
+pub(super) fn section(page: &mut Document, own: &Sources<'_>, machine: &Machine<'_>, lang: Lang) {
+    let plan = own.plan;
     let mut table = Table::new([
         Column::text(say!(lang, "lab-limit")).min_width(24),
         Column::text(say!(lang, "lab-needed")),
@@ -44,9 +45,14 @@ pub(super) fn section(page: &mut Document, plan: &Plan, machine: &Machine<'_>, l
         table.row(row);
     }
     page.push(table);
-    let key = if plan.has_errors() { "lab-cannot-be-made" } else { "lab-can-be-made" };
+    let key = match (plan.has_errors() || own.warning.is_some(), own.left.is_empty()) {
+        (true, _) => "lab-cannot-be-made",
+        (false, true) => "lab-can-be-made",
+        (false, false) => "lab-can-be-made-but",
+    };
     page.paragraph(lang.word(key));
     findings_of_errors(page, plan, lang);
+    page.push(Block::List(own.left.iter().map(|left| Inlines::sentence(left).into()).collect()));
 }
 
 struct Limit {

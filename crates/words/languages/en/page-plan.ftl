@@ -102,7 +102,7 @@ plan-on-ways = on the ways
 plan-vice-grips = The jaws grip { $grip } mm and end { $below } mm below the face; for hole { $hole } they press with { $force } N, and the vice gives { $gives } N.
 plan-knee = Knee: { $nose } mm from the table to the spindle nose with the ram up.
 plan-zero-by-sides = { $frame }: touch the right and the back side with an arbor Ø d and read xM, yM: X = xM{ $right } − d/2, Y = yM{ $back } − d/2; about X{ $x } Y{ $y }.
-plan-zero-by-face = { $frame }: touch the face with the reference tool{ $tool } and read zM: Z = zM{ $face }; about Z{ $z } for the lengths of section 5.
+plan-zero-by-face = { $frame }: touch the face with the reference tool{ $tool } and read zM: Z = zM{ $face }; about Z{ $z } for the lengths of assemblies of this plan.
 plan-start = Start and tool change at X{ $x } Y{ $y } of the drawing, the ram up; from hole to hole { $level } mm over the face.
 plan-start-to-clamp = The nearest clamp is { $away } mm from there.
 plan-fixture-universal-straps = Universal fixture: straps on the table (1.6).
