@@ -110,7 +110,9 @@ fn stand(setup: &SetUp, lang: Lang) -> String {
 /// The vice; or the clamps of the first set-up, and what their screws lack; of a second set-up, that no clamps are planned for it.
 fn clamps(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
     if let Some(vice) = &plan.setup.vice {
-        return plan.setup.stands.iter().map(|stand| super::sheet::in_vice(vice, stand, lang)).collect();
+        let held = plan.setup.stands.iter().map(|stand| super::sheet::in_vice(vice, stand, lang));
+        let marked = vice.because.iter().any(|because| because.unconfirmed.is_some());
+        return held.chain(marked.then(|| say!(lang, "setting-mark").to_owned())).collect();
     }
     let Some(clamping) = &plan.clamping else { return vec![say!(lang, "plan-no-clamping").to_owned()] };
     let mut lines = vec![super::sheet::clamps_of(clamping, lang)];

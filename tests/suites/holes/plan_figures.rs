@@ -74,7 +74,7 @@ fn clamps_that_are_too_weak_are_shown_with_what_they_bear() {
     let page = sheet::page(&plan, &KNOWLEDGE, Doubts::Counted, Lang::EN);
     let page = technolog_testing::pages::shown(&page);
     assert!(
-        page.contains("4. Clamping") && page.contains("too weak: it bears 1469 N, and 1605 N are needed"),
+        page.contains("4. Set-up and clamping") && page.contains("too weak: it bears 1469 N, and 1605 N are needed"),
         "{page}"
     );
 }
@@ -157,7 +157,7 @@ fn harder_metal_is_not_cut_faster() {
 
 /// Ø30 in the middle of a square of 100 mm and four holes Ø12, straps of half width 20. With the holes on the axes only
 /// the corners are free: (30, 30) is 30.3 mm from (0, 34), which requires 26. With holes at the corners too no place is
-/// left, and the finding requires another fixture without failing the plan: the clamps were our own thought.
+/// left, and a vice takes the part.
 #[test]
 fn clamps_of_our_own_are_moved_until_they_hold_and_never_fail_the_plan() {
     let holes = |more: &str| {
@@ -180,8 +180,9 @@ fn clamps_of_our_own_are_moved_until_they_hold_and_never_fail_the_plan() {
     assert_eq!((reach, of_clamps(&free)), (vec![30.0, 30.0], Vec::new()));
 
     let full = planned(&holes(", [34, 34], [-34, 34], [34, -34], [-34, -34]"), CuttingMethod::Formula);
-    assert_eq!(of_clamps(&full), [("no-place-for-clamps".to_owned(), Severity::Doubtful)]);
+    assert_eq!(of_clamps(&full), []);
     assert_eq!(full.clamping, None, "whoever followed it would run the tool into a strap");
+    assert!(full.setup.vice.is_some(), "{:?}", full.findings);
 }
 
 /// A rough reamer is the stock one of the finished size ground down, and the plan has both sizes (explain has the rest).

@@ -172,6 +172,7 @@ fn value(path: &str, text: &str) -> Figure {
         "scheme" => Figure::scheme(text),
         "name" | "hole" | "designation" | "standard" | "table" => text.into_figure(),
         "feature" | "face" | "way" | "kind" => own("audit-value"),
+        "fixture_kind" | "held" | "keying" | "locating" => own("table-value"),
         "limited_by" | "shank" => Figure::word(text.to_owned()),
         _ if text.parse::<f64>().is_ok() => Figure::number(text.to_owned()),
         _ => text.into_figure(),

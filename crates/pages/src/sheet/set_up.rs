@@ -119,7 +119,10 @@ fn place(stand: &Stand, lang: Lang) -> Vec<String> {
     let start =
         Note::new("plan-start").with("x", stand.start.x).with("y", stand.start.y).with("level", stand.first_level_mm);
     let start = match stand.start_to_clamp_mm {
-        Some(away) => [lang.say(&start), lang.say(&Note::new("plan-start-to-clamp").with("away", away))].join(" "),
+        Some(away) => {
+            [lang.say(&start), lang.say(&Note::new("plan-start-to-clamp").with("away", rounded(away.to_mm(), 0)))]
+                .join(" ")
+        }
         None => lang.say(&start),
     };
     knee.into_iter().chain([lang.say(&sides), lang.say(&face), start]).collect()
