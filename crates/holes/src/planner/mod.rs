@@ -97,7 +97,8 @@ pub fn plan_by(
         let hole = &part.holes[index];
         match Refusal::split(options::options(hole, part, preference, (&chooser.drills(), &drills), &shop))? {
             Ok(mut options) => {
-                if options.choices.is_empty() && options.impossible.is_empty() {
+                let deep = options.refused.iter().any(|other| other.why.is_of_depth());
+                if deep && options.choices.is_empty() && options.impossible.is_empty() {
                     options.nearest = nearest::depth(hole, part, preference, (&chooser.drills(), &drills), &shop)?;
                 }
                 chooser.add(index, options);
