@@ -326,3 +326,12 @@ fn no_feed_and_no_speed_is_above_every_page() {
     };
     assert!(depth(96.0) < 0.75 * depth(64.0), "{} {}", depth(96.0), depth(64.0));
 }
+
+/// The tables of reamers end at 80 mm, and an opening may be wider: that stopped the whole plan as if a table were broken.
+#[test]
+fn an_opening_wider_than_every_reamer_is_milled() {
+    let keys = "diameter: 80H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.2, counterbore: {diameter: 110, depth: 7}";
+    let plan = honest("steel-45", "20", keys);
+    let last = steps(&plan).iter().find(|step| step.diameter_mm == mm(110.0)).unwrap();
+    assert_eq!(last.operation, Operation::Mill);
+}

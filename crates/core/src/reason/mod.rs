@@ -135,6 +135,17 @@ impl Reason {
         }
     }
 
+    /// Whether another depth may mend it: a tool or an assembly that does not reach, a point that comes out.
+    pub fn is_of_depth(&self) -> bool {
+        match self {
+            Self::DrillsTooShort { .. } | Self::TooShallowForFlat { .. } | Self::NotProven { .. } => true,
+            Self::NoTool { first: Some(first), .. } => {
+                first.is_of_reach() || matches!(**first, Unfit::Holder { fault: HolderFault::TooLong { .. }, .. })
+            }
+            _ => false,
+        }
+    }
+
     /// The sentence.
     pub fn note(&self) -> Note {
         let new = Note::new;

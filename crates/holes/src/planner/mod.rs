@@ -105,8 +105,10 @@ pub fn plan_by(
             Ok(mut options) => {
                 if options.choices.is_empty() && options.impossible.is_empty() && told < MOST_NEAREST {
                     told += 1;
+                    // Another depth helps only where depth is a reason.
+                    let deep = options.refused.iter().any(|other| other.why.is_of_depth());
                     let drills = (&*chooser.drills(), &*drills);
-                    options.nearest = nearest::nearest(hole, part, preference, drills, &shop)?;
+                    options.nearest = nearest::nearest((hole, deep), part, preference, drills, &shop)?;
                 }
                 chooser.add(index, options);
             }

@@ -17,13 +17,13 @@ const MM: i64 = 1000;
 /// the grade decides.
 const WITH: [(u8, f64); 4] = [(7, 1.25), (8, 2.5), (11, 6.3), (14, 12.5)];
 
-/// The nearest possible hole beside one that is not; none for stepped holes, of which more than one depth may be meant, and where
+/// The nearest possible hole beside one that is not, `deep` if its depth is a reason; none for stepped holes, of which more than one depth may be meant, and where
 /// nothing near is possible.
 ///
 /// # Errors
 /// The knowledge base has no answer.
 pub(super) fn nearest(
-    hole: &Hole,
+    (hole, deep): (&Hole, bool),
     part: &Part,
     preference: Preference,
     drills: (&[Micrometres], &[DrillSize]),
@@ -32,7 +32,8 @@ pub(super) fn nearest(
     if !hole.steps.is_empty() {
         return Ok(None);
     }
-    match depth(hole, part, preference, drills, shop)? {
+    let shallower = if deep { depth(hole, part, preference, drills, shop)? } else { None };
+    match shallower {
         Some(found) => Ok(Some(found)),
         None => grade(hole, part, preference, drills, shop),
     }

@@ -205,6 +205,11 @@ impl BackwardStep<'_, '_> {
     /// `from` of the first step is what the transition before must leave.
     pub fn steps(self) -> Tried<Vec<RouteStep>> {
         let (operation, replaced) = self.stand_in()?;
+        // The tables of reamers and core drills end where the drills do; an opening may be wider.
+        let guided = operation.is_reaming() || operation == Operation::CoreDrill;
+        if guided && self.bore.diameter.nominal > self.shop.convention(HoleDefault::LargestDiameter)? {
+            return Err(Refusal::Not(Reason::NotPlanned { operation }));
+        }
         let this = Self { operation, ..self };
         let mut steps = match operation {
             Operation::CentreDrill => vec![this.step(Micrometres::ZERO)],
