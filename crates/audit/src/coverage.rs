@@ -50,7 +50,8 @@ fn missing(stated: &Stated, part: PlanPart) -> f64 {
     match part {
         PlanPart::Holes => whole(!stated.rows.is_empty()),
         PlanPart::Tools => {
-            let named = |tool: usize| stated.tools[tool].designation.is_some() || !stated.tools[tool].figures.is_empty();
+            let named =
+                |tool: usize| stated.tools[tool].designation.is_some() || !stated.tools[tool].figures.is_empty();
             let bare = rows().filter(|(_, row)| !stated.tool_of(row).is_some_and(named)).count();
             // A list of tools alone names no rows.
             let unused = rows().all(|(_, row)| row.tool.is_none()) && !stated.tools.is_empty();

@@ -37,7 +37,8 @@ fn no_honest_plan_is_blamed() {
     for (name, text) in &plans {
         let audit = audited(name, text);
         let grave = audit.findings.iter().filter(|finding| finding.is_wrong());
-        blamed.extend(grave.map(|one| format!("{name}: {:?} {} {} {:?}", one.severity, one.rule, one.field, one.stated)));
+        blamed
+            .extend(grave.map(|one| format!("{name}: {:?} {} {} {:?}", one.severity, one.rule, one.field, one.stated)));
     }
     assert_eq!(blamed, [""; 0]);
 }

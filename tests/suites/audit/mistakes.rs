@@ -61,14 +61,20 @@ fn usual_mistakes_are_found_and_recognised() {
         let own = audit.findings.iter().find(|finding| finding.field == one.at);
         let is_root = audit.first_root().is_some_and(|first| first.field == one.at);
         let there = audit.findings.iter().filter(|finding| finding.field == one.at);
-        let mistake = there.filter_map(|own| own.mistake.as_ref()).map(|note| serde_json::to_value(note).unwrap()).next();
-        let is_named = mistake.as_ref().is_some_and(|note| note["params"]["mistake"] == one.mistake.as_str());
+        let mistake =
+            there.filter_map(|own| own.mistake.as_ref()).map(|note| serde_json::to_value(note).unwrap()).next();
+        let is_named = mistake.as_ref().is_some_and(|note| note["params"]["id"] == one.mistake.as_str());
         found += usize::from(own.is_some());
         root += usize::from(is_root);
         named += usize::from(is_named);
         if !(own.is_some() && is_root && is_named) {
             let first = audit.first_root().map(|first| (&first.field, first.severity));
-            missed.push(format!("{}: {}: {:?}, first {first:?}, {mistake:?}", one.plan, one.name, own.map(|own| own.severity)));
+            missed.push(format!(
+                "{}: {}: {:?}, first {first:?}, {mistake:?}",
+                one.plan,
+                one.name,
+                own.map(|own| own.severity)
+            ));
         }
     }
     let all = planted.len();
@@ -81,7 +87,15 @@ fn usual_mistakes_are_found_and_recognised() {
 fn every_mistake_is_of_a_rule() {
     for mistake in KNOWLEDGE.rows::<Mistakes<'_>>().unwrap() {
         assert!(rules::all().any(|rule| rule.id == mistake.rule), "{}", mistake.rule);
-        assert!(mistake.law.is_some() || mistake.value.is_some() || mistake.instead.is_some()
-            || mistake.times.is_some() || mistake.power.is_some(), "{} {} changes nothing", mistake.rule, mistake.id);
+        assert!(
+            mistake.law.is_some()
+                || mistake.value.is_some()
+                || mistake.instead.is_some()
+                || mistake.times.is_some()
+                || mistake.power.is_some(),
+            "{} {} changes nothing",
+            mistake.rule,
+            mistake.id
+        );
     }
 }

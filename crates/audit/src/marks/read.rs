@@ -8,9 +8,9 @@ use technolog_note::note;
 
 use super::super::finding::Section;
 use super::super::read::{number, scope_of};
-use crate::tables::audit::PlanPart;
 use super::scheme::{Deduct, Missing, SchemeFile, Section as Own, Sections};
 use super::{BySeverity, MarkingScheme, SectionScheme};
+use crate::tables::audit::PlanPart;
 
 const SECTIONS: [(KeyOf<Sections>, Section); 9] = [
     (Sections::route, Section::Route),

@@ -35,7 +35,12 @@ pub(super) fn table(marks: &Marks, audit: &Audit, lang: Lang) -> Table {
             Inlines::number(figure(&format!("-{}", one.points), lang)),
             Inlines::default(),
             Inlines::default(),
-            Inlines::sentence(&say!(lang, "audit-part-missing", part = part(one.part, lang), percent = number(one.percent))),
+            Inlines::sentence(&say!(
+                lang,
+                "audit-part-missing",
+                part = part(one.part, lang),
+                percent = number(one.percent)
+            )),
             lang.word("audit-by-missing").into(),
         ]);
     }
