@@ -20,6 +20,9 @@ pub(super) const RULES: &[Rule] = &[MISPRINT];
 /// The most misprints of a plan; each changes one figure, and few plans have so many.
 const MOST: usize = 32;
 
+/// No misprinted length, feed or torque was meant to be larger: metres computed with millimetres are a mistake of the formula.
+const LARGEST: f64 = 1e4;
+
 /// A figure that may have been misprinted.
 struct Suspect {
     id: Id,
@@ -42,10 +45,8 @@ pub(super) fn correct<'a>(context: &Context<'a>, graph: &mut Graph<'a>) {
             .filter(|verdict| matches!(verdict.status, Status::Root(_, None)))
             .map(|verdict| verdict.id)
             .filter(|id| graph.computed_from_right(*id).is_none())
-            // A formula that was got wrong in a usual way needs no misprint to explain it.
-            .filter(|id| !is_usual_mistake(context, graph, *id))
             .collect();
-        let Some((found, computed)) = own.iter().find_map(|id| Some((misprinted(graph, *id)?, *id))) else {
+        let Some((found, computed)) = own.iter().find_map(|id| Some((explains(context, graph, *id)?, *id))) else {
             return;
         };
         let right = found.right;
@@ -61,6 +62,15 @@ pub(super) fn correct<'a>(context: &Context<'a>, graph: &mut Graph<'a>) {
         };
         graph.correct(formula, computed);
     }
+}
+
+/// The misprint that explains a computed figure. A formula that was got wrong in a usual way needs none, unless the misprint explains
+/// more than that one figure or is a slip of the decimal point.
+fn explains(context: &Context<'_>, graph: &Graph<'_>, computed: Id) -> Option<Suspect> {
+    let found = misprinted(graph, computed)?;
+    let stated = graph.printed(found.id)?.value;
+    let point = nature(stated, found.right) == Nature::DecimalPoint && found.right < LARGEST;
+    (found.mends > 1 || point || !is_usual_mistake(context, graph, computed)).then_some(found)
 }
 
 /// Whether a figure is what comes out of its formula by a usual mistake.

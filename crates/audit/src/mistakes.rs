@@ -6,9 +6,7 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use technolog_note::Named;
-
-use crate::note::{Figure, Note, Severity, Word};
+use crate::note::{Figure, Note, Severity};
 use crate::tables::audit::Mistakes;
 
 use super::context::Context;
@@ -128,11 +126,12 @@ fn place(graph: &Graph<'_>, scope: Scope, at: Option<&str>) -> Scope {
 
 /// The sentence: `this is what comes out if T^m is left out`.
 fn note(mistake: &Mistakes<'_>, row: Option<usize>) -> Note {
-    let names = vec![("uk", mistake.uk.to_owned()), ("en", mistake.en.to_owned())];
-    let word = Word { vocabulary: "mistake", id: mistake.id.to_owned().into() };
-    let mistake = Figure::Named(Named { word, names });
+    let said = |code| {
+        let note = Note::new(code).with("mistake", Figure::Remark(mistake.what.to_owned()));
+        note.with("id", mistake.id)
+    };
     match row {
-        Some(row) => Note::new("audit-mistake-row").with("mistake", mistake).with("row", row),
-        None => Note::new("audit-mistake").with("mistake", mistake),
+        Some(row) => said("audit-mistake-row").with("row", row),
+        None => said("audit-mistake"),
     }
 }

@@ -174,8 +174,7 @@ rows! {
         power: Option<f64>,
         law: Option<&'t str>,
         severity: Option<Severity>,
-        uk: &'t str,
-        en: &'t str,
+        what: &'t str,
     }
 
     /// Names that the textbook prints otherwise than the catalogs have them.

@@ -63,7 +63,7 @@ fn usual_mistakes_are_found_and_recognised() {
         let there = audit.findings.iter().filter(|finding| finding.field == one.at);
         let mistake =
             there.filter_map(|own| own.mistake.as_ref()).map(|note| serde_json::to_value(note).unwrap()).next();
-        let is_named = mistake.as_ref().is_some_and(|note| note["params"]["mistake"] == one.mistake.as_str());
+        let is_named = mistake.as_ref().is_some_and(|note| note["params"]["id"] == one.mistake.as_str());
         found += usize::from(own.is_some());
         root += usize::from(is_root);
         named += usize::from(is_named);

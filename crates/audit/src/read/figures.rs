@@ -60,7 +60,7 @@ impl Reader<'_> {
 
     /// One number.
     pub(super) fn figure(&mut self, node: &Node) -> Option<StatedFigure> {
-        let text = self.problems.text(node)?.trim().to_owned();
+        let text = with_point(self.problems.text(node)?.trim());
         let figure = number(&text).map(|(value, last_place)| StatedFigure {
             value,
             text: text.clone(),
@@ -80,6 +80,12 @@ impl Reader<'_> {
     }
 }
 
+/// A figure as people write it with a decimal comma: `26,5` is 26.5. Two commas, or a comma and a point, are something else.
+fn with_point(text: &str) -> String {
+    let single = text.matches(',').count() == 1 && !text.contains('.');
+    if single { text.replacen(',', ".", 1) } else { text.to_owned() }
+}
+
 /// A number and the value of one unit in its last printed place.
 pub(crate) fn number(text: &str) -> Option<(f64, f64)> {
     let digits = text.strip_prefix(['-', '+', '−']).unwrap_or(text);
@@ -96,7 +102,16 @@ pub(crate) fn number(text: &str) -> Option<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use super::number;
+    use super::{number, with_point};
+
+    #[test]
+    fn a_comma_is_a_decimal_point_where_nothing_else_is_possible() {
+        for (text, read) in
+            [("26,5", "26.5"), ("-0,195", "-0.195"), ("1.234,5", "1.234,5"), ("1,2,3", "1,2,3"), ("7", "7")]
+        {
+            assert_eq!(with_point(text), read);
+        }
+    }
 
     #[test]
     fn a_number_knows_its_last_place() {
