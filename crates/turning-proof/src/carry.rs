@@ -259,7 +259,7 @@ impl<'s> Carried<'s> {
         let wall = self.stock.0.window();
         let ring = Convex::rectangle(Vector::new(begin, radius), Vector::new(wall.most.z.max(begin), radius + WALL));
         let Some(ring) = Convex::hull(ring).filter(|_| wall.most.z - begin > TOLERANCE) else { return };
-        if let Some((_, at)) = self.overlap(&[ring.clone()], &[]) {
+        if let Some((_, at)) = self.overlap(std::slice::from_ref(&ring), &[]) {
             let closed = self.stock.0.within(ring.window()).made(&Region::pieces([&ring]), Rule::Both).window();
             let (tool, depth) = (tool.designation.clone(), Mm(closed.most.z - begin));
             self.faults.add(Fault::Buried { tool, depth, at, block: motion.block, count: 1 });

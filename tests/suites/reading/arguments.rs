@@ -142,6 +142,33 @@ fn a_program_of_one_set_up_says_how_the_others_are_had() {
     }
 }
 
+/// A program of a part that is not made whole is not written; `--force` writes it, and its first line says why it must not be run,
+/// for every control. Fanuc keeps only what stands behind the number of the program, so it stands there, too.
+#[test]
+fn a_program_of_an_unfinished_part_is_written_by_force_alone() {
+    let folder = folder("unfinished-turned");
+    let part = root().join("examples/turned-pin.yaml");
+    let part = part.to_str().unwrap();
+    for (control, mark) in [("linuxcnc", "(DO NOT RUN: "), ("fanuc", "(DO NOT RUN: "), ("sinumerik", "; DO NOT RUN: ")]
+    {
+        let asked = ["turn", part, "--show", "program", "--number", "2", "--control", control];
+        let answer = command(&folder, &asked, b"");
+        assert_eq!((answer.code, answer.answer.as_str()), (Some(1), ""), "{control}: {}", answer.beside);
+        assert!(answer.beside.contains("[not-written]") && answer.beside.contains("--force"), "{}", answer.beside);
+        let forced = command(&folder, &[&asked[..], &["--force"]].concat(), b"");
+        assert_eq!(forced.code, Some(1), "{control}: {}", forced.beside);
+        let first = forced.answer.lines().next().unwrap();
+        assert!(first.starts_with(mark) && first.is_ascii() && !first.contains('?'), "{control}: {first}");
+        assert!(forced.answer.contains("outer 7") && forced.answer.contains("the groove is not cut"), "{control}");
+        let behind = forced.answer.lines().skip_while(|line| !line.starts_with('O')).nth(1);
+        assert!(control != "fanuc" || behind.is_some_and(|line| line == first), "{behind:?}");
+    }
+    // Of a part that is made whole nothing is said.
+    let whole = root().join("examples/turned-sleeve.yaml");
+    let answer = command(&folder, &["turn", whole.to_str().unwrap(), "--show", "program", "--force"], b"");
+    assert!(answer.code == Some(0) && !answer.answer.contains("DO NOT RUN"), "{}", answer.answer);
+}
+
 /// A control that is offered only for its setting sheet says so where a program is asked of it, and has the sheet.
 #[test]
 fn a_control_without_programs_says_what_works() {

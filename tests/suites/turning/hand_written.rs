@@ -6,6 +6,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use technolog::audit::turned::{against_lathe, compare_with_part};
+use technolog::note::Severity;
 use technolog::program::Fault;
 use technolog::program::lathe::{LatheLanguage, Subprogram, is_serious, read};
 use technolog::turning::operation::{Operation, plan};
@@ -29,6 +30,28 @@ fn operation(part: &str) -> Operation {
         panic!("{part}")
     };
     plan(&workpiece, &KNOWLEDGE).unwrap()
+}
+
+/// Beside a tailstock, and out of a relief before a wall, both axes may not go home at once: which of them is first nobody knows.
+#[test]
+fn a_way_home_that_may_meet_something_is_doubtful() {
+    for (name, from, to) in [
+        ("spindle.linuxcnc-lathe", "G91 G28 X0\nG28 Z0\nG90\nM5\nM9\n(T2", "G28\nM5\nM9\n(T2"),
+        ("stud.fanuc-lathe", "Z-28.933\nG0 X39.\nG28 U0.\nG28 W0.", "Z-28.933\nG28 U0. W0."),
+    ] {
+        let (part, control) = name.split_once('.').unwrap();
+        let operation = operation(part);
+        let honest = fs::read_to_string(folder().join(format!("{name}.nc"))).unwrap();
+        let homes = |text: &str| {
+            let run = read(text, &LatheLanguage::read(control, &KNOWLEDGE).unwrap(), &[] as &[Subprogram<'_>]);
+            let faults = compare_with_part(&operation, 1, text, &run, &KNOWLEDGE).unwrap();
+            faults.into_iter().filter(|fault| fault.code == "turned-home-way").map(|fault| fault.severity).collect()
+        };
+        let found: Vec<Severity> = homes(&honest);
+        assert_eq!(found, [], "{name}");
+        let found: Vec<Severity> = homes(&honest.replacen(from, to, 1));
+        assert_eq!(found, [Severity::Doubtful], "{name}");
+    }
 }
 
 /// What must not be run in a program, with its line.

@@ -251,7 +251,7 @@ fn a_thread_by_a_tool_that_cuts_none_is_told() {
     let mute = text.replace(remark, "(thread)").replace("T0404", "T0101");
     let found = new_in_fanuc(&operation, &text, &mute);
     assert!(found.contains(&("turned-no-threading-tool", Severity::Wrong)), "{found:?}");
-    assert_eq!(called("T0403\n"), [("turned-offset-of-other", Severity::Doubtful)]);
+    assert_eq!(called("T0403\n"), [("turned-offset-of-other", Severity::Wrong)]);
     // A second offset of its own must be measured; our plan has none.
     assert_eq!(called("T0414\n"), [("turned-offset-unknown", Severity::Doubtful)]);
     // A wrong lead is one whatever tool cuts it.
