@@ -166,6 +166,8 @@ offset-of-other-tool = T{ $tool } cuts with the length offset H{ $corrector }, t
     .help = give G43 with the offset register of this tool
 offset-of-other-number = T{ $tool } cuts with the length offset H{ $corrector }, and there is a tool T{ $other }
     .help = make sure that H{ $corrector } holds the length of T{ $tool }
+offset-of-strange-number = T{ $tool } cuts with the length offset H{ $corrector }
+    .help = make sure that H{ $corrector } holds the length of T{ $tool }
 drilling-backwards = { $tool ->
         [0] the tool
        *[other] T{ $tool }

@@ -166,6 +166,8 @@ offset-of-other-tool = T{ $tool } ріже з корекцією на довжи
     .help = дайте G43 з коректором цього інструмента
 offset-of-other-number = T{ $tool } ріже з корекцією на довжину H{ $corrector }, а є й інструмент T{ $other }
     .help = перевірте, чи в H{ $corrector } довжина T{ $tool }
+offset-of-strange-number = T{ $tool } ріже з корекцією на довжину H{ $corrector }
+    .help = перевірте, чи в H{ $corrector } довжина T{ $tool }
 drilling-backwards = { $tool ->
         [0] інструмент
        *[other] T{ $tool }

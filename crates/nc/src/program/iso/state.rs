@@ -32,6 +32,12 @@ pub(super) struct ControlState {
     pub feed: f64,
     /// S, 1/min.
     pub speed: f64,
+    /// Whether F and S have been used by the tool before and not been given since.
+    pub feed_of_before: bool,
+    pub speed_of_before: bool,
+    /// Whether the tool in the spindle has used them.
+    pub feed_used: bool,
+    pub speed_used: bool,
     pub turning: Turning,
     /// Whether the coolant flows.
     pub coolant: bool,
@@ -77,6 +83,10 @@ impl ControlState {
             tap_prepared: false,
             feed: 0.0,
             speed: 0.0,
+            feed_of_before: false,
+            speed_of_before: false,
+            feed_used: false,
+            speed_used: false,
             turning: Turning::Stopped,
             coolant: false,
             kept: Vec::new(),
@@ -120,9 +130,9 @@ impl ControlState {
         self.mode(group) == Some(code)
     }
 
-    /// Whether lengths are inches (G20).
+    /// Whether lengths are inches (G20, G70).
     pub(super) fn inches(&self) -> bool {
-        self.is(Group::Units, 200)
+        self.is(Group::Units, 200) || self.is(Group::Units, 700)
     }
 
     /// Whether words are positions (G90).
