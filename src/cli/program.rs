@@ -113,6 +113,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         return Err(Diagnostic::error("bad-number", message, None).into());
     }
     let written = language.write(job, form);
+    // Behind the last number a writer goes on with the first, which may be a program of somebody else.
+    if let Some(number) = args.number.filter(|number| written.numbers().iter().any(|used| used < number)) {
+        let count = written.numbers().iter().filter(|used| **used != number).count();
+        let message = say!(context.lang, "program-numbers-run-out", number = number, count = count);
+        return Err(Diagnostic::error("bad-number", message, None).into());
+    }
     let setting = Setting::of_job(job);
     let mut sink = (Vec::<MotionStep>::new(), Clock::new(&shop.machine, setting.start));
     let text = written.text();

@@ -305,6 +305,7 @@ impl Maker<'_> {
         self.state.height_known = true;
         (self.state.feed_of_before, self.state.speed_of_before) = (self.state.feed_used, self.state.speed_used);
         self.state.tool = self.state.wanted;
+        self.state.register = None;
         self.push(Motion::ToolChange { tool: self.state.wanted });
     }
 
@@ -374,8 +375,11 @@ impl Maker<'_> {
             corrector = number;
             value = self.corrector(number, function).unwrap_or_default();
             // T alone names the next tool; with its length the one before would go down.
-            if number > 0 && number == self.state.wanted && number != self.state.tool && self.control.changes_tools() {
-                self.report("tool-not-brought", function.span, &[("tool", number.into_figure())]);
+            let (wanted, tool) = (self.state.wanted, self.state.tool);
+            let before = if number > 0 { self.state.register.replace(number) } else { None };
+            let of_wanted = number == wanted || before.is_some_and(|before| before != number);
+            if number > 0 && of_wanted && wanted != tool && self.control.changes_tools() {
+                self.report("tool-not-brought", function.span, &[("tool", wanted.into_figure())]);
             }
         }
         self.state.length = value;
@@ -414,6 +418,11 @@ impl Maker<'_> {
             && words.function(Group::Motion).is_none()
         {
             self.fault("motion-missing", function.span);
+        }
+        // T alone names the tool that the operator brings at the next stop.
+        let (wanted, tool) = (self.state.wanted, self.state.tool);
+        if wanted != tool && tool > 0 && !self.control.changes_tools() {
+            self.report("tool-not-brought", function.span, &[("tool", wanted.into_figure())]);
         }
         let value = given.length(self.state.inches());
         let known = &self.setting.correctors;

@@ -49,6 +49,8 @@ pub(super) struct ControlState {
     pub tool_named: bool,
     /// The tool in the spindle.
     pub tool: u32,
+    /// The offset register that the tool in the spindle has had.
+    pub register: Option<u32>,
     /// What G43 adds to Z.
     pub length: Micrometres,
     /// The zeros of the systems, G54 to G59.3, machine coordinates, and by which zero that is not known they are counted.
@@ -93,6 +95,7 @@ impl ControlState {
             wanted: 0,
             tool_named: false,
             tool: 0,
+            register: None,
             length: Micrometres::ZERO,
             zeros: [[None; 3]; SYSTEMS],
             shift: [Micrometres::ZERO; 3],
