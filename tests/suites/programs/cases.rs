@@ -180,6 +180,27 @@ fn the_command_tells_line_caret_and_rule_and_its_exit_code() {
     }
 }
 
+/// Behind the last number stands the first, and that may be the program of another part.
+#[test]
+fn a_number_that_leaves_no_room_for_the_subprograms_is_refused() {
+    for (control, number, room) in [
+        ("fanuc", "9999", false),
+        ("fanuc", "9998", false),
+        ("fanuc", "9997", true),
+        ("haas-ngc", "9999", false),
+        ("mach3", "9999", false),
+        ("grbl", "9999", true),
+        ("2c42-65", "99", true),
+        ("2c42-65", "100", false),
+    ] {
+        let arguments = ["program", "examples/plate.yaml", "--control", control, "--number", number];
+        let (code, text) = technolog(&arguments);
+        assert_eq!(code, Some(if room { 0 } else { 2 }), "{control} {number}: {text}");
+        let whole = [arguments.as_slice(), &["--no-subprograms"]].concat();
+        assert_eq!(technolog(&whole).0, Some(if number == "100" { 2 } else { 0 }), "{control} {number}");
+    }
+}
+
 /// Without its comma the number would be ten times as large: no control is told to leave it out. And what a program that
 /// is not run does not make is no mistake of it.
 #[test]

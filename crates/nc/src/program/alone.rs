@@ -207,9 +207,9 @@ impl Watch {
         let pitch = feed / speed;
         let Habits { tap_near, pitches, .. } = &self.habits;
         let near = |known: f64| (pitch / known - 1.0).abs() <= *tap_near;
-        // Inch threads have a whole number of turns to the inch, a few of them a half more.
+        // Inch threads have a whole number of turns to the inch, the finest of them 80, a few of them a half more.
         let halves = libm::round(2.0 * 25.4 / pitch);
-        let inches = halves % 2.0 == 0.0 || [9.0, 23.0].contains(&halves);
+        let inches = halves <= 160.0 && (halves % 2.0 == 0.0 || [9.0, 23.0].contains(&halves));
         let least = pitches.iter().copied().fold(f64::INFINITY, f64::min);
         let most = pitches.iter().copied().fold(0.0, f64::max);
         let code = if pitch < least * (1.0 - tap_near) || pitch > most * (1.0 + tap_near) {
@@ -317,6 +317,13 @@ impl Watch {
                 let (code, other) = match owner.or(named.filter(|named| *named != tool)) {
                     Some(other) => ("offset-of-other-tool", other),
                     None if number != tool && tools.contains(&number) => ("offset-of-other-number", number),
+                    // Of several tools a habit of their owner shows; of one it may be a slip.
+                    None if number != tool && tools.len() == 1 && !by_number => {
+                        let code = "offset-of-strange-number";
+                        let note = Note::new(code).with("tool", tool).with("corrector", number);
+                        self.told.push((cut.block, code, note));
+                        continue;
+                    }
                     None => continue,
                 };
                 (code, Note::new(code).with("tool", tool).with("corrector", number).with("other", other))

@@ -64,6 +64,16 @@ impl WrittenProgram {
         self
     }
 
+    /// The numbers of the programs in it, of the main one first where it has one.
+    pub fn numbers(&self) -> Vec<u32> {
+        let heads = self.lines.iter().filter(|line| line.role == LineRole::Frame);
+        let number = |line: &ProgramLine| {
+            let digits = line.text.strip_prefix(['O', 'o', ':'])?;
+            digits.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()
+        };
+        heads.filter_map(number).collect()
+    }
+
     /// The text of the program file.
     pub fn text(&self) -> String {
         let mut text = String::new();

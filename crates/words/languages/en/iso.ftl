@@ -83,3 +83,7 @@ main-begins-anew = M99 in the main program begins it anew: it never ends by itse
     .help = give M30 where it is to end
 peck-in-increments = Q without a point counts increments here: { $step } mm
     .help = write it with a point if the control takes one
+feed-of-tool-before = no F since the tool change: that of the tool before acts
+    .help = give F for this tool
+speed-of-tool-before = no S since the tool change: that of the tool before acts
+    .help = give S for this tool

@@ -40,6 +40,7 @@ setting-not-made = not made at all
 program-not-written = the program is not written: it must not be run
     .help = `--force` writes it all the same, and its first line says why it must not be run
 program-number-beyond = the control 2C42-65 has programs 01 to 99, not { $number }
+program-numbers-run-out = behind the program number { $number } there is no room for { $count } subprograms: numbers end at 9999; give a smaller one, or --no-subprograms
 setting-zeros = Zeros of the part, from the zero of the machine
 setting-frame = Frame
 setting-file = `--show setting --format yaml` writes the file of this setting for `technolog check … --setting`.

@@ -40,6 +40,7 @@ setting-not-made = не виготовлено зовсім
 program-not-written = програму не записано: її не можна запускати
     .help = `--force` усе ж запише її, і перший рядок скаже, чому її не можна запускати
 program-number-beyond = у пристрою 2С42-65 програми від 01 до 99, а не { $number }
+program-numbers-run-out = за номером програми { $number } немає місця для підпрограм ({ $count }): номери кінчаються на 9999; дайте менший або --no-subprograms
 setting-zeros = Нулі деталі від нуля верстата
 setting-frame = Система координат
 setting-file = Файл цього налагодження для `technolog check … --setting` дає `--show setting --format yaml`.

@@ -250,6 +250,7 @@ impl Maker<'_> {
         }
         self.state.height_known = true;
         self.state.tool = self.state.wanted;
+        self.state.register = None;
         self.push(Motion::ToolChange { tool: self.state.tool });
     }
 
@@ -306,8 +307,11 @@ impl Maker<'_> {
         }
         self.state.length_in_force = corrector;
         // T alone names the next tool; with its length the one before would go down.
-        if corrector > 0 && corrector == self.state.wanted && corrector != self.state.tool {
-            self.report("tool-not-brought", span, &[("tool", corrector.into_figure())]);
+        let (wanted, tool) = (self.state.wanted, self.state.tool);
+        let before = if corrector > 0 { self.state.register.replace(corrector) } else { None };
+        let of_wanted = corrector == wanted || before.is_some_and(|before| before != corrector);
+        if corrector > 0 && of_wanted && wanted != tool {
+            self.report("tool-not-brought", span, &[("tool", wanted.into_figure())]);
         }
         self.push(Motion::LengthCorrection { axis, corrector: Some(corrector), value });
         if same {

@@ -75,6 +75,7 @@ pub(super) const RULES: &[Rule] = &[
     ("tap-feed", Wrong, "3.12.1.4*"),
     ("tap-feed-odd", Warning, "3.12.1.4*"),
     ("dwell-unit", Wrong, "3.10.6*"),
+    ("offset-of-strange-number", Warning, "3.11.3*"),
     ("dwell-odd", Warning, "3.10.6*"),
     // Motions.
     ("arc-without-centre", Error, "3.10.4"),

@@ -34,6 +34,8 @@ pub(super) struct ControlState {
     pub turning: Turning,
     /// T: the tool that the next M06 brings.
     pub wanted: u32,
+    /// The corrector of length that the tool in the spindle has had.
+    pub register: Option<u32>,
     /// The tool in the spindle; 0 before the first M06.
     pub tool: u32,
     /// D and H.
@@ -75,6 +77,7 @@ impl ControlState {
             speed: 0,
             turning: Turning::Stopped,
             wanted: 0,
+            register: None,
             tool: 0,
             radius_corrector: 0,
             length_corrector: 0,

@@ -135,6 +135,7 @@ impl Maker<'_> {
         let per_minute = self.state.mode(Group::FeedMode).is_none_or(|mode| mode == 940);
         let by_time = self.state.mode(Group::FeedMode) == Some(930);
         if let Some(feed) = self.take(words, 'F') {
+            (self.state.feed_of_before, self.state.feed_used) = (false, false);
             self.state.feed = feed.value() * if self.state.inches() && !by_time { 25.4 } else { 1.0 };
             let limit = self.machine.feed_max.0;
             if per_minute && self.state.feed > limit {
@@ -142,6 +143,7 @@ impl Maker<'_> {
             }
         }
         if let Some(speed) = self.take(words, 'S') {
+            (self.state.speed_of_before, self.state.speed_used) = (false, false);
             self.state.speed = speed.value();
             if let Some((code, note)) = speed_off_steps(self.machine, self.state.speed) {
                 self.fault(code, speed.span).note = note;
@@ -184,6 +186,7 @@ impl Maker<'_> {
     /// The spindle from this block on, its speed by S and the operator's switch.
     pub(super) fn spindle(&mut self, turning: Turning) {
         self.state.turning = turning;
+        self.state.speed_used |= turning != Turning::Stopped;
         let speed = self.state.speed * self.setting.speed_override as f64 / 100.0;
         self.push(Motion::Spindle { turning, speed_rpm: RevsPerMinute(speed) });
     }
@@ -222,6 +225,8 @@ impl Maker<'_> {
             Action::SpindleClockwise | Action::SpindleCounterclockwise => {
                 if self.state.speed == 0.0 {
                     self.fault("spindle-without-speed", function.span);
+                } else if std::mem::take(&mut self.state.speed_of_before) {
+                    self.fault("speed-of-tool-before", function.span);
                 }
                 let clockwise = action == Action::SpindleClockwise;
                 self.spindle(if clockwise { Turning::Clockwise } else { Turning::Counterclockwise });
@@ -298,7 +303,9 @@ impl Maker<'_> {
             self.spindle(Turning::Stopped);
         }
         self.state.height_known = true;
+        (self.state.feed_of_before, self.state.speed_of_before) = (self.state.feed_used, self.state.speed_used);
         self.state.tool = self.state.wanted;
+        self.state.register = None;
         self.push(Motion::ToolChange { tool: self.state.wanted });
     }
 
@@ -368,8 +375,11 @@ impl Maker<'_> {
             corrector = number;
             value = self.corrector(number, function).unwrap_or_default();
             // T alone names the next tool; with its length the one before would go down.
-            if number > 0 && number == self.state.wanted && number != self.state.tool && self.control.changes_tools() {
-                self.report("tool-not-brought", function.span, &[("tool", number.into_figure())]);
+            let (wanted, tool) = (self.state.wanted, self.state.tool);
+            let before = if number > 0 { self.state.register.replace(number) } else { None };
+            let of_wanted = number == wanted || before.is_some_and(|before| before != number);
+            if number > 0 && of_wanted && wanted != tool && self.control.changes_tools() {
+                self.report("tool-not-brought", function.span, &[("tool", wanted.into_figure())]);
             }
         }
         self.state.length = value;
@@ -409,6 +419,11 @@ impl Maker<'_> {
         {
             self.fault("motion-missing", function.span);
         }
+        // T alone names the tool that the operator brings at the next stop.
+        let (wanted, tool) = (self.state.wanted, self.state.tool);
+        if wanted != tool && tool > 0 && !self.control.changes_tools() {
+            self.report("tool-not-brought", function.span, &[("tool", wanted.into_figure())]);
+        }
         let value = given.length(self.state.inches());
         let known = &self.setting.correctors;
         if !known.is_empty() && !known.values().any(|own| *own == value) {
@@ -434,6 +449,10 @@ impl Maker<'_> {
             Some(950) => self.state.speed * self.setting.speed_override as f64 / 100.0,
             _ => 1.0,
         };
+        if std::mem::take(&mut self.state.feed_of_before) {
+            self.fault("feed-of-tool-before", span);
+        }
+        self.state.feed_used = true;
         let feed = self.state.feed * times * self.setting.feed_override as f64 / 100.0;
         // A way that goes nowhere has no feed by time, and needs none.
         let nowhere = times == 0.0 && length == Some(0.0) && self.state.feed > 0.0;

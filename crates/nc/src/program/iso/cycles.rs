@@ -76,6 +76,17 @@ impl Maker<'_> {
         if !named {
             return;
         }
+        // Some tap without M3, where the spindle follows the feed, and stand again behind it.
+        let starts = cycle.bottom == Bottom::Reversed
+            && self.state.turning == Turning::Stopped
+            && (self.state.tap_prepared || self.control.tap_preparation.is_none())
+            && self.control.is(Q::TapStartsSpindle);
+        if starts {
+            if self.state.speed == 0.0 {
+                self.fault("spindle-without-speed", span);
+            }
+            self.spindle(Turning::Clockwise);
+        }
         // Before what else may be wrong with it: a cycle without a feed must not be overlooked.
         self.feed(span);
         let missing = cycle.required.iter().copied().filter(|sign| self.parameter(*sign).is_none());
@@ -94,6 +105,9 @@ impl Maker<'_> {
         }
         if let Some(levels) = self.levels(initial, span).filter(|_| self.may_run(&cycle, span)) {
             self.holes(&cycle, levels, words, repeats, span);
+        }
+        if starts {
+            self.spindle(Turning::Stopped);
         }
     }
 

@@ -32,6 +32,12 @@ pub(super) struct ControlState {
     pub feed: f64,
     /// S, 1/min.
     pub speed: f64,
+    /// Whether F and S have been used by the tool before and not been given since.
+    pub feed_of_before: bool,
+    pub speed_of_before: bool,
+    /// Whether the tool in the spindle has used them.
+    pub feed_used: bool,
+    pub speed_used: bool,
     pub turning: Turning,
     /// Whether the coolant flows.
     pub coolant: bool,
@@ -43,6 +49,8 @@ pub(super) struct ControlState {
     pub tool_named: bool,
     /// The tool in the spindle.
     pub tool: u32,
+    /// The offset register that the tool in the spindle has had.
+    pub register: Option<u32>,
     /// What G43 adds to Z.
     pub length: Micrometres,
     /// The zeros of the systems, G54 to G59.3, machine coordinates, and by which zero that is not known they are counted.
@@ -77,12 +85,17 @@ impl ControlState {
             tap_prepared: false,
             feed: 0.0,
             speed: 0.0,
+            feed_of_before: false,
+            speed_of_before: false,
+            feed_used: false,
+            speed_used: false,
             turning: Turning::Stopped,
             coolant: false,
             kept: Vec::new(),
             wanted: 0,
             tool_named: false,
             tool: 0,
+            register: None,
             length: Micrometres::ZERO,
             zeros: [[None; 3]; SYSTEMS],
             shift: [Micrometres::ZERO; 3],
@@ -120,9 +133,9 @@ impl ControlState {
         self.mode(group) == Some(code)
     }
 
-    /// Whether lengths are inches (G20).
+    /// Whether lengths are inches (G20, G70).
     pub(super) fn inches(&self) -> bool {
-        self.is(Group::Units, 200)
+        self.is(Group::Units, 200) || self.is(Group::Units, 700)
     }
 
     /// Whether words are positions (G90).

@@ -186,6 +186,10 @@ impl SourceLine<'_> {
                 at = end;
                 continue;
             }
+            if let Some(end) = self.called_name(&characters, at, &mut block) {
+                at = end;
+                continue;
+            }
             if character == 'O' && self.control.is(Q::OWords) && block.words.is_empty() {
                 self.label(&characters[at..], &mut block);
                 break;
@@ -296,6 +300,18 @@ impl SourceLine<'_> {
         let length = name.iter().position(|(_, c)| *c == '>').filter(|length| *length > 0)?;
         block.label = Some(Label::Number(name.iter().take(length).map(|(_, c)| *c).collect()));
         Some(at + length + 3)
+    }
+
+    /// A name in place of the number of a call, `M98 <PLATE>`: which program it is nobody looks up here. Where it ends.
+    fn called_name(&mut self, characters: &[(usize, char)], at: usize, block: &mut Block) -> Option<usize> {
+        let called = block.words.iter().any(|word| word.address == 'M') && self.control.is(Q::MacroWords);
+        let rest = characters.get(at..).filter(|rest| called && rest.first().is_some_and(|(_, c)| *c == '<'))?;
+        let length = rest.iter().position(|(_, c)| *c == '>')?;
+        let name: String = rest[..=length].iter().map(|(_, c)| *c).collect();
+        let span = self.span(rest[0].0, rest[length].0 + 1);
+        self.faults.push(word_fault("not-carried-out", span, None, name));
+        block.unread = true;
+        Some(at + length + 1)
     }
 
     /// An o-word of LinuxCNC: its name or number, then its keyword.
