@@ -408,10 +408,15 @@ fn programs_for_rs274() {
         let of_form = |form| programs(&operation, "linuxcnc", form, Some(rpm), &KNOWLEDGE).unwrap();
         for written in [Form::Motions, Form::Cycles].into_iter().flat_map(of_form) {
             let name = format!("part {number} set-up {}", written.set_up);
-            let threads = super::threads::of_path(&operation, written.set_up);
             let line = match written.files {
                 Ok(files) => {
                     let program = files.iter().map(|file| file.text.as_str()).collect::<String>();
+                    // The cycle makes its passes by equal areas, single moves by the depths of makers.
+                    let threads = if program.contains("G76") {
+                        super::threads::by_areas(&operation, written.set_up)
+                    } else {
+                        super::threads::of_path(&operation, written.set_up)
+                    };
                     json!({"name": name, "kind": "whole", "program": program, "threads": threads, "part": text})
                 }
                 Err(refused) => json!({"name": name, "refused": format!("{refused:?}"), "part": text}),

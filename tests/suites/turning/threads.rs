@@ -87,7 +87,7 @@ pub(super) fn of_path(operation: &Operation, set_up: u8) -> Vec<(f64, f64)> {
 }
 
 /// The beginning of each pass of a cycle by equal areas, h·√(n/N), and once more at the last depth: radius, and Z of the program.
-fn by_areas(operation: &Operation, set_up: u8) -> Vec<(f64, f64)> {
+pub(super) fn by_areas(operation: &Operation, set_up: u8) -> Vec<(f64, f64)> {
     let work = operation.set_ups.iter().find(|work| work.set_up.number == set_up).unwrap();
     let jobs = work.jobs.iter().filter_map(|job| Some((job.side, job.thread.as_ref()?)));
     let passes = jobs.flat_map(|(side, cut)| {

@@ -1,6 +1,6 @@
 //! Tools that the proof rejected for a work, so that the next candidate is planned.
 
-use crate::note::{Finding, Note, Severity};
+use crate::note::{Figure, Finding, IntoFigure, Note, Severity};
 use crate::turning::contour::{Side, SurfaceName};
 use crate::turning::jobs::{Job, Work as JobWork};
 
@@ -60,10 +60,16 @@ impl Barred {
             && (&self.tool, &self.surfaces) == (&other.tool, &other.surfaces)
     }
 
-    /// The finding for the page.
+    /// The finding for the page; what is left for it is wrong.
     pub fn finding(&self) -> Finding {
-        let note = Note::new("tool-barred").with("number", self.set_up).with("tool", self.tool.clone());
-        Finding::of_part(Severity::Note, note.with("why", self.why.clone()))
+        let told = |code: &'static str| {
+            Note::new(code).with("number", self.set_up).with("tool", self.tool.clone()).with("why", self.why.clone())
+        };
+        if self.surfaces.is_empty() {
+            return Finding::of_part(Severity::Note, told("tool-barred"));
+        }
+        let surfaces = Figure::list(self.surfaces.iter().map(IntoFigure::into_figure));
+        Finding::of_part(Severity::Wrong, told("cut-barred").with("surfaces", surfaces))
     }
 }
 

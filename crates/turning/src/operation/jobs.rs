@@ -362,6 +362,29 @@ fn worked(contour: Contour, side: &SideWork, bench: &Bench<'_, '_>) -> Result<Co
     Ok(layers::leading_on(worked, by, along.radius / along.z))
 }
 
+/// What a finishing pass follows behind a hollow, as the nose meets it: as long as it does not fall, and no further than `over_lip` along
+/// the axis and up a wall.
+fn rising_behind(seen: &Contour, last: Half, over_lip: Half) -> Vec<Piece> {
+    let beyond = clip::between(seen, last, last + over_lip);
+    let out = |along: Vector| if seen.side == Side::Outer { along.radius } else { -along.radius };
+    let rises = |piece: &Piece| {
+        [piece.direction_at_start(), piece.direction_at_end()].into_iter().all(|along| out(along) >= -1e-9)
+    };
+    let top = beyond.start().map(|start| match seen.side {
+        Side::Outer => start.radius + over_lip,
+        Side::Inner => start.radius - over_lip,
+    });
+    let mut followed = Vec::new();
+    for piece in beyond.pieces.iter().take_while(|piece| rises(piece)) {
+        let ends = top.and_then(|top| piece.at_radius(top).first().copied()).filter(|end| *end != piece.from);
+        followed.push(piece.between(piece.from, ends.unwrap_or(piece.to)));
+        if ends.is_some() {
+            break;
+        }
+    }
+    followed
+}
+
 /// The finishing passes along a hollow, zone by zone, each with a tool that reaches it.
 fn finish_hollow(
     set_up: &SetUp,
@@ -400,7 +423,7 @@ fn finish_hollow(
             allowances: &hollow.layers.allowances,
             needs: needs(&clip::between(contour, own.0, own.1)),
         };
-        let (mut from_z, mut to_z) = within(seam);
+        let (mut from_z, to_z) = within(seam);
         // Where the contour falls already before the hollow, the pass along the bridge has left the round of its nose there.
         let before = clip::between(contour, first - seam, first);
         let falls = |piece: &Piece| {
@@ -411,18 +434,14 @@ fn finish_hollow(
         if index == 0 && !before.pieces.is_empty() && before.pieces.iter().all(falls) {
             from_z = before.start().map_or(first, |start| start.z);
         }
-        let beyond = clip::between(contour, last, last + over_lip);
-        // It follows what rises there, too; a fall or a wall it may not reach.
-        let rises = |piece: &Piece| {
-            let along = [piece.direction_at_start(), piece.direction_at_end()];
-            let out = |along: Vector| if side.side == Side::Outer { along.radius } else { -along.radius };
-            along.into_iter().all(|along| out(along) >= -1e-9 && along.z > steepest)
-        };
-        if is_last && beyond.pieces.iter().all(rises) {
-            to_z = to_z.max(beyond.end().map_or(last, |end| end.z));
-        }
         jobs.extend(task.job(bench, findings, |seen, standing, clearance| {
-            Some(dip(&clip::between(seen, from_z, to_z), standing, clearance)).filter(|path| !path.moves.is_empty())
+            let mut followed = clip::between(seen, from_z, to_z);
+            if is_last {
+                let behind = rising_behind(seen, to_z, over_lip);
+                let goes_on = behind.first().map(|first| first.from) == followed.end();
+                followed.pieces.extend(behind.into_iter().filter(|_| goes_on));
+            }
+            Some(dip(&followed, standing, clearance)).filter(|path| !path.moves.is_empty())
         })?);
         from = to;
     }

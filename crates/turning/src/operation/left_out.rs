@@ -11,7 +11,7 @@ impl Operation {
     /// Leaves out one unsafe job after the other, with what stands on its work, until the proof rejects none.
     pub(super) fn leave_unsafe_out(&mut self) {
         let mut left_out = Vec::new();
-        let before = self.of_its_jobs();
+        let before = merged(self.of_its_jobs());
         while let Some(finding) = self.leave_first_out() {
             left_out.push(finding);
             self.proven = proof::prove(self);
@@ -19,8 +19,7 @@ impl Operation {
         if left_out.is_empty() {
             return;
         }
-        // They may have been joined with each other, but with nothing else.
-        self.findings.retain(|finding| !before.iter().any(|old| old.note.code() == finding.note.code()));
+        self.findings.retain(|finding| !before.contains(finding));
         left_out.extend(self.of_its_jobs());
         self.findings.extend(merged(left_out));
     }

@@ -1,13 +1,17 @@
 //! Missing work of the operation, and toolpaths that would damage the part. Each is a finding of severity wrong: an
 //! incomplete plan must not look complete.
 
-use crate::note::{Finding, Note, Severity};
-use crate::turning::contour::{Side, Surface, SurfaceKind, SurfaceName};
+use crate::note::{Figure, Finding, IntoFigure, Note, Severity};
+use crate::turning::contour::{Contour, Side, Surface, SurfaceKind, SurfaceName};
+use crate::turning::elements::Valley;
 use crate::turning::jobs::Work as JobWork;
 use crate::turning::length::Half;
 use crate::turning::shaft::Holding;
 use crate::turning::toolpath::Toolpath;
+use crate::units::{Degrees, round_to};
 
+use super::finishing::needs;
+use super::jobs::stretch;
 use super::work::ZoneWork;
 use super::{Operation, SetUpWork, SideWork};
 
@@ -15,6 +19,7 @@ use super::{Operation, SetUpWork, SideWork};
 pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
     let mut findings = Vec::new();
     findings.extend(operation.set_ups.iter().flat_map(undone).map(|undone| undone.finding()));
+    findings.extend(operation.set_ups.iter().flat_map(hollows_left));
     let between_centres = operation.workpiece.holding == Holding::Centres;
     let working = || operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty());
     let no_jaws = |set_up: &SetUpWork| !between_centres && set_up.jaws.is_none_or(|jaws| jaws.body.is_none());
@@ -78,6 +83,31 @@ impl Undone<'_> {
 pub(super) fn undone(set_up: &SetUpWork) -> Vec<Undone<'_>> {
     let of_sides = set_up.sides.iter().flat_map(|side| undone_on(set_up, side));
     of_sides.chain(undone_on_axis(set_up)).collect()
+}
+
+/// Why the hollows of a set-up stay that no zone was made of: nothing goes down into them from its free end.
+fn hollows_left(set_up: &SetUpWork) -> Vec<Finding> {
+    let undone = undone(set_up);
+    let mut findings = Vec::new();
+    for side in &set_up.sides {
+        let Some(stretch) = stretch(&set_up.set_up, side.side) else { continue };
+        let tried = |valley: &&Valley| side.hollows.iter().any(|hollow| hollow.surfaces == valley.surfaces);
+        for valley in stretch.main.valleys.iter().filter(|valley| !tried(valley)) {
+            let surfaces = valley.surfaces.iter().filter_map(|index| stretch.profile.surfaces.get(*index));
+            let main = surfaces.filter(|surface| !surface.kind.is_additional()).map(|surface| &surface.name);
+            let left: Vec<_> = main.filter(|name| undone.iter().any(|one| one.name == *name)).collect();
+            if left.is_empty() {
+                continue;
+            }
+            let needs = needs(&Contour { side: side.side, pieces: valley.under.clone() });
+            let angle = |degrees: Degrees| round_to(degrees.0, 1);
+            let note = Note::new("hollow-left").with("number", set_up.set_up.number);
+            let note = note.with("surfaces", Figure::list(left.into_iter().map(IntoFigure::into_figure)));
+            let note = note.with("main", angle(needs.main)).with("secondary", angle(needs.secondary));
+            findings.push(Finding::of_part(Severity::Wrong, note));
+        }
+    }
+    findings
 }
 
 fn named<'a>(set_up: &'a SetUpWork, name: &'a SurfaceName, code: &'static str) -> Undone<'a> {

@@ -46,12 +46,31 @@ pub(super) struct Valley {
     pub mouth: Half,
     /// The height of its floor.
     pub floor: Half,
-    /// What rises beside its mouth more steeply than its own walls, such as a shoulder, as lines from the mouth.
+    /// The foot of what rises beside its mouth more steeply than its own walls, such as a shoulder.
     shoulders: [Option<Piece>; 2],
 }
 
 /// Ends of pieces nearer than this differ only by rounding, mm.
 const APART: f64 = 0.002;
+
+/// As high a round nose leaves its rounding at the foot of a shoulder, mm: the roundest of the catalogs has 1.6.
+const FOOT: f64 = 1.6;
+
+/// The foot of a wall that begins at the mouth. A rounding that bends away from the groove keeps its curve; the line along the beginning
+/// of another is clear of it.
+fn foot(wall: Piece, away: Turn) -> Piece {
+    let far = FOOT.min(wall.length_mm());
+    match (wall.curve, wall.centre()) {
+        (Curve::Arc { radius, turn }, Some(centre)) if turn == away => {
+            let angle = far / radius.to_mm() * if turn == Turn::Left { 1.0 } else { -1.0 };
+            let spoke = wall.from.vector().minus(centre);
+            let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+            let turned = Vector::new(spoke.z * cosine - spoke.radius * sine, spoke.z * sine + spoke.radius * cosine);
+            wall.between(wall.from, Point::at(centre.plus(turned)))
+        }
+        _ => Piece::line(wall.from, wall.from.moved(wall.direction_at_start().times(far))),
+    }
+}
 
 /// As far may a shoulder be moved from the mouth by the middle of its limits, mm.
 const BESIDE: f64 = 0.05;
@@ -112,20 +131,21 @@ impl Valley {
         let seen = |piece: &Piece| self.lie.piece(*piece);
         let all: Vec<Piece> = profile.surfaces.iter().flat_map(|surface| &surface.pieces).map(seen).collect();
         let steeper = |falls: Vector, rises: Vector| falls.cross(rises) > 0.01;
-        // An arc bends away from the line along its beginning.
+        // From the mouth on; beside its beginning from right to left.
+        let rises = |wall: Piece, own: Vector, turn: Turn| {
+            let along = wall.direction_at_start();
+            let up = wall.to.radius > wall.from.radius && along.radius > 0.0;
+            let steep = if turn == Turn::Right { steeper(own, along) } else { steeper(along.times(-1.0), own) };
+            let outwards = if turn == Turn::Right { along.z } else { -along.z };
+            (up && steep && outwards > -1e-9).then(|| foot(wall, turn))
+        };
         let before = self.pieces.first().and_then(|first| {
-            let wall = all.iter().find(|piece| near(piece.to, first.from))?;
-            let (along, height) = (wall.direction_at_end(), wall.from.radius - wall.to.radius);
-            let from = first.from.moved(along.times(height.to_mm() / along.radius));
-            let rises = height > Half::ZERO && along.radius < 0.0 && along.z > -1e-9;
-            (rises && steeper(along, first.direction_at_start())).then(|| Piece::line(from, first.from))
+            let wall = all.iter().find(|piece| near(piece.to, first.from))?.reversed();
+            Some(rises(wall, first.direction_at_start(), Turn::Left)?.reversed())
         });
         let behind = self.pieces.last().and_then(|last| {
-            let wall = all.iter().find(|piece| near(piece.from, last.to))?;
-            let (along, height) = (wall.direction_at_start(), wall.to.radius - wall.from.radius);
-            let to = last.to.moved(along.times(height.to_mm() / along.radius));
-            let rises = height > Half::ZERO && along.radius > 0.0 && along.z > -1e-9;
-            (rises && steeper(last.direction_at_end(), along)).then(|| Piece::line(last.to, to))
+            let wall = *all.iter().find(|piece| near(piece.from, last.to))?;
+            rises(wall, last.direction_at_end(), Turn::Right)
         });
         self.shoulders = [before, behind];
         self
@@ -185,13 +205,7 @@ impl Valley {
     /// of a groove shallower than the corner must not be rounded.
     pub fn centres(&self, corner: f64) -> Option<CentrePath> {
         let mut way: Vec<PathSpan> = Vec::new();
-        // The corner touches a shoulder no farther above the mouth than its radius.
         let [before, behind] = self.shoulders;
-        let short = |piece: Piece| corner.min(piece.chord().length());
-        let before =
-            before.map(|wall| Piece::line(wall.to.moved(wall.direction_at_end().times(-short(wall))), wall.to));
-        let behind =
-            behind.map(|wall| Piece::line(wall.from, wall.from.moved(wall.direction_at_start().times(short(wall)))));
         let pieces: Vec<Piece> = before.into_iter().chain(self.pieces.iter().copied()).chain(behind).collect();
         let last = pieces.len().saturating_sub(1);
         for (index, piece) in pieces.iter().enumerate() {
@@ -210,6 +224,11 @@ impl Valley {
                 };
                 if last.to.minus(next.from).length() < APART {
                     next.from = last.to;
+                    way.push(next);
+                    break;
+                }
+                if let Some(cross) = last.meets(&next) {
+                    (last.to, next.from) = (cross, cross);
                     way.push(next);
                     break;
                 }
@@ -245,8 +264,8 @@ impl Valley {
 pub(super) struct PathSpan {
     pub from: Vector,
     pub to: Vector,
-    /// Radius of an arc, mm.
-    pub arc: Option<f64>,
+    /// Radius of an arc, mm, and its sense.
+    pub arc: Option<(f64, Turn)>,
 }
 
 impl PathSpan {
@@ -257,10 +276,28 @@ impl PathSpan {
         let (start, end) = (off(from, piece.direction_at_start()), off(to, piece.direction_at_end()));
         let arc = match piece.curve {
             Curve::Line => None,
+            Curve::Arc { radius, turn: Turn::Right } => Some((radius.to_mm() + corner, Turn::Right)),
             Curve::Arc { radius, .. } if radius.to_mm() - corner < APART / 2.0 => return None,
-            Curve::Arc { radius, .. } => Some(radius.to_mm() - corner),
+            Curve::Arc { radius, .. } => Some((radius.to_mm() - corner, Turn::Left)),
         };
         Some(Self { from: start, to: end, arc })
+    }
+
+    /// Where a line runs into the arc of a shoulder behind it, or an arc before it ends on a line; none of two others.
+    fn meets(&self, next: &Self) -> Option<Vector> {
+        let (line, arc, enters) = match (self.arc, next.arc) {
+            (None, Some((_, Turn::Right))) => (self, next, true),
+            (Some((_, Turn::Right)), None) => (next, self, false),
+            _ => return None,
+        };
+        let centre = arc.piece(Vector::default()).centre()?;
+        let (along, (radius, _)) = (line.line()?.unit(), arc.arc?);
+        let to_centre = centre.minus(line.from);
+        let (foot, off) = (to_centre.dot(along), to_centre.cross(along));
+        let half = libm::sqrt(radius * radius - off * off);
+        let at = if enters { foot - half } else { foot + half };
+        // Not a number where the line passes the arc.
+        (at.is_finite() && at > 0.0).then(|| line.from.plus(along.times(at)))
     }
 
     fn line(&self) -> Option<Vector> {
@@ -272,7 +309,7 @@ impl PathSpan {
         let (from, to) = (Point::at(self.from.plus(by)), Point::at(self.to.plus(by)));
         let curve = match self.arc {
             None => Curve::Line,
-            Some(radius) => Curve::Arc { radius: Half::from(radius), turn: Turn::Left },
+            Some((radius, turn)) => Curve::Arc { radius: Half::from(radius), turn },
         };
         Piece { from, to, curve }
     }
@@ -288,11 +325,12 @@ impl PathSpan {
                 let share = (z - self.from.z) / (self.to.z - self.from.z);
                 Some(self.from.radius + (self.to.radius - self.from.radius) * share)
             }
-            Some(radius) => {
+            Some((radius, turn)) => {
                 let piece = self.piece(Vector::default());
                 let centre = piece.centre()?;
                 let off = z - centre.z;
-                Some(centre.radius - libm::sqrt((radius * radius - off * off).max(0.0)))
+                let over = libm::sqrt((radius * radius - off * off).max(0.0));
+                Some(if turn == Turn::Left { centre.radius - over } else { centre.radius + over })
             }
         }
     }
