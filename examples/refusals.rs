@@ -14,7 +14,7 @@ fn main() -> Result<(), std::io::Error> {
     let holes: Vec<GridHole> = whole.into_iter().step_by(every).collect();
     let verdicts = parallel::map(&holes, verdict, |_| {});
     let outcomes: Vec<(GridHole, Verdict)> = holes.into_iter().zip(verdicts).collect();
-    let of = if every == 1 { String::new() } else { format!("Every hole that is number {every} further, of {all}: ") };
+    let of = if every == 1 { String::new() } else { format!("One hole in {every} of the {all}: ") };
     let text = of + &table(&outcomes);
     println!("{text}");
     for (hole, verdict) in &outcomes {

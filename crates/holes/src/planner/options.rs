@@ -119,6 +119,15 @@ pub(super) struct Options {
 }
 
 impl Options {
+    /// Adds routes that were refused, each once.
+    fn also_refused(&mut self, others: Vec<RefusedRoute>) {
+        for other in others {
+            if !self.refused.contains(&other) {
+                self.refused.push(other);
+            }
+        }
+    }
+
     /// Keeps either the routes that finish the hole here or those that leave it to another machine: the former if one of them
     /// holds every requirement, and not only at best; where the other machine is a last resort, also at best. Time does not decide,
     /// because that of the other machine is not known.
@@ -162,7 +171,7 @@ pub(super) fn options(
     drills: (&[Micrometres], &[DrillSize]),
     shop: &Shop<'_>,
 ) -> Tried<Options> {
-    let own = options_here(hole, part, preference, drills, shop)?;
+    let mut own = options_here(hole, part, preference, drills, shop)?;
     if own.choices.iter().any(Choice::meets_requirements) {
         return Ok(own);
     }
@@ -170,11 +179,14 @@ pub(super) fn options(
     let mut left = options_here(&finer.here, part, preference, drills, shop)?;
     left.choices.retain(Choice::meets_requirements);
     if left.choices.is_empty() || left.impossible.len() > own.impossible.len() {
+        // What keeps the hole from being prepared is what keeps it from being made.
+        if own.choices.is_empty() {
+            own.also_refused(left.refused);
+        }
         return Ok(own);
     }
     left.choices = left.choices.into_iter().map(|choice| finer.finished(choice)).collect();
-    let more: Vec<RefusedRoute> = own.refused.into_iter().filter(|why| !left.refused.contains(why)).collect();
-    left.refused.extend(more);
+    left.also_refused(own.refused);
     Ok(left)
 }
 
