@@ -27,7 +27,7 @@ pub(super) fn of(stated: &Stated, knowledge: &Knowledge) -> Result<Vec<Coverage>
     let rows = knowledge.rows::<AuditShares<'_>>()?;
     let coverage = rows.iter().map(|row| Coverage {
         part: row.part,
-        share: row.share.0,
+        share: row.of_points.0,
         missing: missing(stated, row.part),
         covered: stated.covers(row.part),
     });

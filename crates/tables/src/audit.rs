@@ -159,7 +159,7 @@ rows! {
     /// What a part of a plan is worth where it is missing.
     pub struct AuditShares of One("audit-shares") complete part {
         part: PlanPart,
-        share: Percent,
+        of_points: Percent,
     }
 
     /// The usual ways to get a formula wrong.
