@@ -73,13 +73,13 @@ pub fn vice_instead(
     findings: &mut Vec<Finding>,
     shop: &Shop<'_>,
 ) -> Result<Option<Vice>, KnowledgeError> {
-    let no_place = |finding: &Finding| finding.note.code() == "no-place-for-clamps";
-    if part.fixture != Fixture::default() || !findings.iter().any(no_place) {
+    // Of a file without clamps there is no other finding.
+    if part.fixture != Fixture::default() || findings.is_empty() {
         return Ok(None);
     }
     match vice::vice(part, holes, shop)? {
         Ok(vice) => {
-            findings.retain(|finding| !no_place(finding));
+            findings.clear();
             Ok(Some(vice))
         }
         Err(why) => {

@@ -80,6 +80,7 @@ type Speeds = Vec<u64>;
 ///
 /// # Errors
 /// The knowledge base has no answer.
+#[expect(clippy::disallowed_methods, reason = "findings of a job have no type of their own")]
 pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let job = job::make(plan, shop)?;
     job::timed(plan, &job, shop)?;

@@ -11,6 +11,7 @@ use crate::tables::rules::{FixtureKeyingFor, FixtureKindFor, PartLocatingFor};
 ///
 /// # Errors
 /// The knowledge base has no answer.
+#[expect(clippy::disallowed_methods, reason = "a finding of the proof has no type once it stands in a plan")]
 pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<Option<FixturePlan>, KnowledgeError> {
     if plan.setup.stands.is_empty() {
         return Ok(None);
