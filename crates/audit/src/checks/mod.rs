@@ -61,7 +61,7 @@ pub(super) fn all<'a>(
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     // What a plan does not say it covers may be missing; what stands there is judged all the same.
-    let whole = context.stated.covers(PlanPart::Holes).then_some(WHOLE_ROUTES).unwrap_or_default();
+    let whole = if context.stated.covers(PlanPart::Holes) { WHOLE_ROUTES } else { &[] };
     whole.iter().chain(CHECKS).try_for_each(|check| check(context, graph, findings))?;
     roots::settle(findings);
     Ok(())
