@@ -103,7 +103,8 @@ fn what_every_shop_makes_is_planned() {
             let last = steps(&plan).iter().rfind(|step| step.step == Some(1)).unwrap();
             // IT7 of 50 to 80 is 0.030: the bar is set to the middle, where its spring may go either way.
             let nominal: f64 = seat.trim_end_matches("H7").parse().unwrap();
-            let middle = if last.operation.is_boring() { 0.015 } else { 0.0 };
+            // What another machine finishes is given the nominal size.
+            let middle = if last.operation.is_boring() && !last.elsewhere { 0.015 } else { 0.0 };
             assert_eq!(last.diameter_mm, mm(nominal + middle), "{keys}");
         }
         let through = format!(
@@ -298,9 +299,9 @@ fn the_tool_list_says_for_which_field_a_reamer_is_bought() {
 }
 
 /// VC feeds a reamer at 0.152 mm/rev a flute at most, so that 10 flutes of Ø32 make 1.5; the pages together feed a drill of 6.35
-/// to 12.7 mm at 0.254 at most in copper alloys; AISI 321 is drilled at 55 fpm, 16.8 m/min, and a spindle step may lie 12 % above.
+/// to 12.7 mm at 0.254 at most in copper alloys.
 #[test]
-fn no_feed_and_no_speed_is_above_every_page() {
+fn no_feed_in_copper_is_above_every_page_and_deep_holes_are_drilled_slower() {
     let rough = "diameter: 32K7, through: true, roughness: Ra 1.6, centre_tolerance: 0.3";
     let rough = honest("bronze-bro10f1", "40", rough);
     let reamed = steps(&rough).iter().find(|step| step.operation == Operation::RoughReam).unwrap();
@@ -310,14 +311,6 @@ fn no_feed_and_no_speed_is_above_every_page() {
         let drilled = honest(material, "20", keys);
         let drilled = steps(&drilled).iter().find(|step| step.operation == Operation::Drill).unwrap();
         assert!(drilled.conditions.feed_mm_per_rev.0 <= 0.254, "{material}: {drilled:?}");
-    }
-    for diameter in [6, 10, 14, 20] {
-        let keys = format!("diameter: {diameter}H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.3");
-        let plan = honest("stainless-12h18n10t", "20", &keys);
-        for step in steps(&plan).iter().filter(|step| matches!(step.operation, Operation::Drill | Operation::DrillOut))
-        {
-            assert!(step.conditions.speed_m_per_min.0 <= 16.8 * 1.12, "{keys}: {step:?}");
-        }
     }
     // 12 diameters deep the line of the handbook (0.85, 0.75, 0.7, 0.6 at 4, 5, 6, 8) is at 0.4.
     let depth = |depth: f64| {
