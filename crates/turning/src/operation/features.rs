@@ -2,7 +2,7 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Finding, Severity};
-use crate::turning::contour::{Contour, Profile, Side, Surface, SurfaceKind};
+use crate::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind};
 use crate::turning::jobs::groove::{groove, with_fewer_blades};
 use crate::turning::jobs::hole;
 use crate::turning::jobs::thread::{Passes, thread};
@@ -115,7 +115,7 @@ pub(super) fn hollow(
         return Ok(None);
     };
     let under = Contour { side: side.side, pieces: hollow.under.clone() };
-    let pieces = bench.sizes.contour(under, set_up).pieces;
+    let pieces = with_allowances(bench.sizes.contour(under, set_up), &surfaces, bench).pieces;
     let whole = Surface { kind: SurfaceKind::RectangularGroove, pieces, ..(*floor).clone() };
     match Refusal::split(groove(site(stretch, side, bench)?, &whole, bench))? {
         Ok(job) => {
@@ -128,6 +128,35 @@ pub(super) fn hollow(
             Ok(None)
         }
     }
+}
+
+/// A hollow with what another machine takes off its cylinders: a blade must leave it, too.
+fn with_allowances(mut under: Contour, surfaces: &[&Surface], bench: &Bench<'_, '_>) -> Contour {
+    let side = under.side;
+    for surface in surfaces {
+        let later = bench.elsewhere.iter().find(|one| one.surface == surface.name);
+        let (Some(later), Some(own)) = (later, surface.pieces.iter().find(|piece| piece.is_cylinder())) else {
+            continue;
+        };
+        let raise = |radius: Half| match side {
+            Side::Outer => radius + later.allowance_mm,
+            Side::Inner => radius - later.allowance_mm,
+        };
+        for at in 0..under.pieces.len() {
+            let lies_on = |piece: &Piece| piece.is_cylinder() && piece.from.z < own.to.z && own.from.z < piece.to.z;
+            let Some(piece) = under.pieces.get_mut(at).filter(|piece| lies_on(piece)) else { continue };
+            piece.from.radius = raise(piece.from.radius);
+            piece.to.radius = raise(piece.to.radius);
+            let (from, to) = (piece.from, piece.to);
+            if let Some(before) = at.checked_sub(1).and_then(|before| under.pieces.get_mut(before)) {
+                before.to = from;
+            }
+            if let Some(behind) = under.pieces.get_mut(at + 1) {
+                behind.from = to;
+            }
+        }
+    }
+    under
 }
 
 /// Where the tools of a side come from.
