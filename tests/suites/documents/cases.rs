@@ -264,7 +264,7 @@ tests:
       tools: {evry: {}, starts: []}
       clamping.force_n: {is: 3, within: -1}
   - {hole: {diametr: 10H12}, expct: {}}
-  - {hole: {diameter: 10X12}, expect: {transitions.1.conditions.feed: 0.1, findings: {lacks: [no-rout]}}}
+  - {hole: {diameter: 10Q12}, expect: {transitions.1.conditions.feed: 0.1, findings: {lacks: [no-rout]}}}
 ";
     assert_eq!(
         mistakes(part),

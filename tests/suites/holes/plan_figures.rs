@@ -370,18 +370,18 @@ fn reamers_and_bars_stop_above_a_flat_floor() {
     assert!(plan.findings.iter().any(|finding| finding.note.code() == "ends-above-floor"));
 }
 
-/// A core drill does not cut in the middle: before the floor is milled it stops where the cone of the drill begins, Ø13 over
-/// 13/2/tan 59° = 3.91 mm; a reamer stops above a flat shoulder as above a floor.
+/// A core drill does not cut in the middle: before the floor is milled it stops where the cone of the drill begins, Ø14 over
+/// 14/2/tan 59° = 4.21 mm; a reamer stops above a flat shoulder as above a floor.
 #[test]
 fn core_drills_stop_at_the_cone_and_reamers_above_the_shoulder() {
-    let keys = "diameter: 14H8, depth: 20, bottom: flat, roughness: Ra 1.6, centre_tolerance: 0.3, at: [[0, 0]]";
-    let plan = plan_of_hole("steel-45", "gf2171", "40", keys);
+    let keys = "diameter: 15H10, depth: 40, bottom: flat, roughness: Ra 3.2, centre_tolerance: 0.3, at: [[0, 0]]";
+    let plan = plan_of_hole("steel-45", "gf2171", "80", keys);
     let of = |plan: &Plan, operation: Operation| {
         let made = plan.holes[0].transitions.iter().rfind(|step| step.operation == operation).cloned();
         made.unwrap_or_else(|| panic!("no {operation:?}")).end().to_mm()
     };
-    assert!(of(&plan, Operation::CoreDrill) <= 20.0 - 3.90, "{}", of(&plan, Operation::CoreDrill));
-    assert!((of(&plan, Operation::Mill) - 20.0).abs() < 0.01);
+    assert!(of(&plan, Operation::CoreDrill) <= 40.0 - 4.20, "{}", of(&plan, Operation::CoreDrill));
+    assert!((of(&plan, Operation::Mill) - 40.0).abs() < 0.01);
     let keys = "diameter: 8H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.3, at: [[0, 0]], \
                 steps: [{diameter: 12H9, depth: 20, roughness: Ra 1.6, bottom: flat}]";
     let plan = plan_of_hole("steel-45", "gf2171", "60", keys);

@@ -37,7 +37,10 @@ fn part(number: usize) -> String {
 fn a_plan_takes_as_long_as_its_program() {
     let control = Language::read("linuxcnc", &KNOWLEDGE).unwrap();
     let mut ratios = Vec::new();
-    for number in 0..200 {
+    for number in 0..400 {
+        if ratios.len() == 200 {
+            break;
+        }
         let bench = ProofBench::of(&read(&part(number)));
         if bench.job.setups.is_empty() {
             continue;
@@ -52,5 +55,5 @@ fn a_plan_takes_as_long_as_its_program() {
     }
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
-    assert!(ratios.len() > 150 && (median - 1.0).abs() < 0.02, "{median} of {}", ratios.len());
+    assert!(ratios.len() == 200 && (median - 1.0).abs() < 0.02, "{median} of {}", ratios.len());
 }

@@ -71,7 +71,10 @@ pub(super) fn check<'a>(
         let stated = Micrometres::from_mm_rounded(figure.value);
         let room = hole.diameter.nominal.half() + context.shop.convention(HoleDefault::ReamerChipRoom)?;
         let deeper = context.stated.reamer_follows(&hole.name, at) && !hole.through;
-        let floor = hole.bottom == Bottom::Flat && !hole.through;
+        // A mill before it has made a free floor flat, too.
+        let mut before = context.stated.rows_of_hole(&hole.name).filter(|(other, _)| *other < at);
+        let levelled = before.any(|(_, own)| own.operation.value == Operation::Mill);
+        let floor = (hole.bottom == Bottom::Flat || levelled) && !hole.through;
         let above = match row.operation.value {
             operation if floor && operation.is_reaming() => room,
             operation if floor && operation.is_boring() => context.shop.convention(HoleDefault::FlatFloorGap)?,

@@ -33,10 +33,12 @@ pub(super) fn nearest(
         return Ok(None);
     }
     let shallower = if deep { depth(hole, part, preference, drills, shop)? } else { None };
-    match shallower {
-        Some(found) => Ok(Some(found)),
-        None => grade(hole, part, preference, drills, shop),
-    }
+    let coarser = match shallower {
+        Some(found) => return Ok(Some(found)),
+        None => grade(hole, part, preference, drills, shop)?,
+    };
+    // What does not name depth may still be one of its reasons, such as a bar that enters no hole so long.
+    if coarser.is_none() && !deep { depth(hole, part, preference, drills, shop) } else { Ok(coarser) }
 }
 
 /// The finest grade, with a roughness that goes with it, at which the same hole can be made; none for threads and counterbores.

@@ -28,7 +28,7 @@ fn readings(block: &Block) -> Vec<Vec<(&'static str, String)>> {
     if has("part: ") && has("holes:") {
         return vec![vec![("plan", text)]];
     }
-    for (key, command) in [("shaft: ", "turn"), ("route:", "audit"), ("deduct:", "marks")] {
+    for (key, command) in [("shaft: ", "turn"), ("route:", "audit"), ("deduct:", "marks"), ("author:", "title")] {
         if has(key) {
             return vec![vec![(command, text)]];
         }
@@ -48,6 +48,7 @@ fn refusal(shell: &mut Shell, command: &str, text: &str) -> Option<String> {
     fs::write(shell.folder.join("example.yaml"), text).unwrap();
     let faults = match command {
         "marks" => shell.run("technolog audit examples/appendix-g/plan.yaml --marks example.yaml --lang en"),
+        "title" => shell.run("technolog report examples/plate.yaml --title example.yaml --lang en"),
         command => shell.run(&format!("technolog {command} example.yaml --lang en")),
     };
     (shell.code == 2).then_some(faults)

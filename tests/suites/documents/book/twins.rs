@@ -9,7 +9,7 @@ use super::links::target;
 use super::page::{Block, Page, pages};
 
 /// What a user needs, and so stands in both languages.
-const NEEDED: [&str; 10] = [
+const NEEDED: [&str; 11] = [
     "audit",
     "index",
     "limits",
@@ -18,6 +18,7 @@ const NEEDED: [&str; 10] = [
     "program",
     "quick-start",
     "reading-a-plan",
+    "report",
     "turned-part-format",
     "worked-example",
 ];
