@@ -115,7 +115,7 @@ fn clamps(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
         return held.chain(marked.then(|| say!(lang, "setting-mark").to_owned())).collect();
     }
     let Some(clamping) = &plan.clamping else { return vec![say!(lang, "plan-no-clamping").to_owned()] };
-    let mut lines = vec![super::sheet::clamps_of(clamping, lang)];
+    let mut lines = vec![super::sheet::clamps_of(clamping, &plan.part, lang)];
     if clamping.because.iter().any(|because| because.unconfirmed.is_some()) {
         lines.push(say!(lang, "setting-mark").to_owned());
     }
