@@ -86,8 +86,9 @@ pub fn vice_instead(
             Ok(Some(vice))
         }
         Err(why) => {
-            // Nothing holds the part, and a program would turn it.
-            findings.push(Finding::of_part(Severity::Wrong, Note::new("no-vice").with("why", why)));
+            // A file that says how high the part lies takes its holding for done. One that says nothing is planned a special fixture.
+            let severity = if part.fixture.height.is_some() { Severity::Wrong } else { Severity::Doubtful };
+            findings.push(Finding::of_part(severity, Note::new("no-vice").with("why", why)));
             Ok(None)
         }
     }

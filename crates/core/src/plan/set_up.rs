@@ -105,7 +105,7 @@ impl Strap {
         let (to_right, to_front, to_back) = (to_right && !to_left, to_front && !along, !to_front && !along);
         let low = Point { x: at.x - reach(to_left), y: at.y - reach(to_front) };
         let high = Point { x: at.x + reach(to_right), y: at.y + reach(to_back) };
-        Standing { at, outline: Outline::Box(low, high), height: self.height_mm }
+        Standing { at, outline: Outline::Box(low, high), height: self.height_mm, proposed: true }
     }
 }
 
