@@ -163,7 +163,8 @@ pub(super) fn go_over(
             raised |= out > cycle.out;
             cycle.out = out;
         }
-        if let Some(one) = highest.filter(|_| raised && part.fixture.retract.is_none()) {
+        // How high straps of the plan's own are stands in its set-up.
+        if let Some(one) = highest.filter(|one| raised && !one.proposed && part.fixture.retract.is_none()) {
             let note = Note::new("goes-over").with("tool", work.tool).with("height", over);
             let shown = format!("[{}; {}]", one.at.x, one.at.y);
             findings.push(Finding::of_part(Severity::Note, note.with("at", shown)));
