@@ -58,7 +58,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         let zero = across(part, &works, machine);
         let home = Point { x: machine.tool_change_at.0 - zero.x, y: machine.tool_change_at.1 - zero.y };
         go_over(&mut works, &standing, home, plan, shop, &mut findings)?;
-        let PartPosition { zero, supports, nose } = stand(part, plan, &works, shop, &mut findings)?;
+        let PartPosition { zero, supports, nose } = stand(part, plan, &works, &standing, shop, &mut findings)?;
         let setup = SetUp { number, face, zero, supports, nose, works, standing };
         change_over_part(&setup, part, machine.tool_change_at, &mut findings);
         if face == Face::Entry {

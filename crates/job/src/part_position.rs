@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::machine::Machine;
 use crate::motion::{Axis, Position};
 use crate::note::{Finding, Note, Severity};
-use crate::part::{Part, Point};
+use crate::part::{Part, Point, Standing};
 use crate::plan::Plan;
 use crate::shop::Shop;
 use crate::tables::controls::Convention;
@@ -38,6 +38,7 @@ pub(super) fn stand(
     part: &Part,
     plan: &Plan,
     works: &[ToolWork],
+    standing: &[Standing],
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
 ) -> Result<PartPosition, KnowledgeError> {
@@ -48,6 +49,10 @@ pub(super) fn stand(
     let reference = plan.tools.iter().map(|tool| tool.length_mm - tool.correction_mm).max().unwrap_or_default();
     let longest = plan.tools.iter().map(|tool| tool.correction_mm).max().unwrap_or_default();
     let heights = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.out)).max().unwrap_or_default();
+    // With the quill retracted the longest tool clears what stands over the face, too: from one point to another, and to the tool change.
+    let room = Micrometres::from_mm_rounded(convention(Convention::ObstacleClearance, shop.knowledge)?.0);
+    let highest = standing.iter().map(|one| part.datum.top + one.height + room).max();
+    let heights = heights.max(highest.filter(|_| part.fixture.retract.is_none()).unwrap_or(heights));
     let supports = match &plan.setup.vice {
         Some(vice) => vice.height(),
         None => supports(part, works, shop, findings)?,

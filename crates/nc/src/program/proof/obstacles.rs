@@ -24,8 +24,10 @@ pub(super) fn all(made: &ObservedCuts, tools: &Tools, input: &ProofInput<'_>, fi
             let low = motion.from[2].min(motion.to[2]);
             let hit = |one: &&Standing| low < face + one.height && hits(motion, one, radius);
             if let Some(one) = setup.standing.iter().find(hit) {
+                // Whoever wrote the program may clamp otherwise than the plan proposes.
+                let severity = if one.proposed { Severity::Doubtful } else { Severity::Error };
                 findings.push(
-                    ProgramFinding::new(Code::ThroughObstacle, Severity::Error, motion.block)
+                    ProgramFinding::new(Code::ThroughObstacle, severity, motion.block)
                         .with(Name::At, [one.at.x, one.at.y])
                         .with(Name::To, [motion.to[0], motion.to[1]])
                         .with(Name::Made, low)
