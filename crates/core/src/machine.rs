@@ -106,6 +106,8 @@ pub struct Machine<'k> {
     pub table_width: Option<Micrometres>,
     /// Whether its record says how many T-slots it has, which are then all lengthwise.
     pub slots: bool,
+    /// The width of its T-slots; absent if the record does not say.
+    pub slot_width: Option<Micrometres>,
     /// The spindle's steps, ascending.
     pub spindle_steps: Vec<RevsPerMinute>,
     /// Power of the main drive.
@@ -246,6 +248,7 @@ impl<'k> Machine<'k> {
             table_length: length_if_any(Q::TableLength),
             table_width: length_if_any(Q::TableWidth),
             slots: any(Q::TSlots).is_some(),
+            slot_width: length_if_any(Q::TSlotWidth),
             spindle_steps: record.values(Q::SpindleSpeeds).into_iter().flatten().copied().map(RevsPerMinute).collect(),
             spindle_power: Kilowatts(number(Q::SpindlePower)?),
             spindle_torque: NewtonMetres(number(Q::SpindleTorqueMax)?),

@@ -13,11 +13,12 @@ mod vice;
 use crate::error::KnowledgeError;
 use crate::machine::Machine;
 use crate::note::{Because, Figure, Finding, Note, Severity};
-use crate::part::{Fixture, Part, Point};
-use crate::plan::{Clamping, HolePlan, Operation, Transition, Vice};
-use crate::shop::Shop;
+use crate::part::{Fixture, Outline, Part, Point};
+use crate::plan::{Clamping, HolePlan, Operation, Strap, Transition, Vice};
+use crate::shop::{Shop, convention};
+use crate::tables::controls::Convention;
 use crate::tables::holes::HoleDefault;
-use crate::tables::materials::{ClampScrew, Clamping as Constant, ClampingConstant};
+use crate::tables::materials::{ClampScrew, Clamping as Constant, ClampingConstant, StrapRow};
 use crate::tables::rules::{ClampingLoadFor, PartLoad};
 use crate::units::{Micrometres, NewtonMetres, Newtons};
 
@@ -30,7 +31,7 @@ use crate::units::{Micrometres, NewtonMetres, Newtons};
 ///
 /// Clamps of the file that are not enough, or that stand where they cannot hold the part (`hold`), are returned with the inequality that fails. Where the file has none,
 /// places are tried until one set holds. Where none holds, no clamps are returned, because a tool would hit them; the
-/// finding says that another fixture is needed, which is no fault of the plan.
+/// finding says that another fixture is needed.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -62,8 +63,9 @@ pub fn clamping(
     Ok((None, finding.into_iter().collect()))
 }
 
-/// A vice for a part that no clamps hold: where the file says nothing of its fixture and `findings` of [`clamping`] say that
-/// clamps find no place. The finding then goes; where no vice takes the part either, another one says why.
+/// A vice for a part that no clamps hold: where the file names neither clamps nor what else stands there, and `findings` of
+/// [`clamping`] say that clamps find no place. The finding then goes; where no vice takes the part either, or none at the height
+/// of the file, another one says why.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -74,7 +76,8 @@ pub fn vice_instead(
     shop: &Shop<'_>,
 ) -> Result<Option<Vice>, KnowledgeError> {
     // Of a file without clamps there is no other finding.
-    if part.fixture != Fixture::default() || findings.is_empty() {
+    let Fixture { clamps, obstacles, .. } = &part.fixture;
+    if !clamps.is_empty() || !obstacles.is_empty() || findings.is_empty() {
         return Ok(None);
     }
     match vice::vice(part, holes, shop)? {
@@ -83,7 +86,9 @@ pub fn vice_instead(
             Ok(Some(vice))
         }
         Err(why) => {
-            findings.push(Finding::of_part(Severity::Doubtful, Note::new("no-vice").with("why", why)));
+            // A file that says how high the part lies takes its holding for done. One that says nothing is planned a special fixture.
+            let severity = if part.fixture.height.is_some() { Severity::Wrong } else { Severity::Doubtful };
+            findings.push(Finding::of_part(severity, Note::new("no-vice").with("why", why)));
             Ok(None)
         }
     }
@@ -141,6 +146,9 @@ fn side_force(transition: &Transition, torque: NewtonMetres) -> Option<Newtons> 
     (on > Micrometres::ZERO).then(|| Newtons(2.0 * torque.0 / (on.to_mm() / 1000.0)))
 }
 
+/// Half a unit of the last printed figure of the safety factor k = 2.5 (textbook 5.2 item 7).
+const FACTOR_ROUNDING: f64 = 0.05;
+
 /// The clamping with clamps at those places, and the conditions that do not hold.
 fn clamped(
     part: &Part,
@@ -195,14 +203,32 @@ fn clamped(
     let each = Newtons(force / clamps.len().max(1) as f64);
     let screws: Vec<ClampScrew<'_>> = shop.knowledge.rows()?;
     let thick = |screw: &&ClampScrew<'_>| screw.nominal_diameter.to_mm() >= thinnest;
-    let strong = screws.iter().filter(thick).find(|screw| screw.force_80.0 >= each.0);
+    let straps: Vec<StrapRow<'_>> = shop.knowledge.rows()?;
+    let slot = shop.machine.slot_width;
+    let fits = |screw: &&ClampScrew<'_>| {
+        let strap = straps.iter().find(|strap| strap.screw == screw.thread);
+        slot.zip(strap).is_none_or(|(slot, strap)| strap.slot <= slot)
+    };
+    let strong = screws.iter().filter(thick).filter(fits).find(|screw| screw.force_80.0 >= each.0);
+    let strongest = screws.iter().filter(fits).next_back();
+    // The safety factor is printed to one decimal: a screw that lacks less than that leaves a factor that rounds to it.
+    let short = |bears: Newtons| {
+        if bears.0 * k < each.0 * (k - FACTOR_ROUNDING) { Severity::Error } else { Severity::Doubtful }
+    };
     let mut faults = Vec::new();
-    if strong.is_none() {
-        let note = Note::new("no-screw").with("force", each.rounded(0).0).with("clamps", clamps.len());
-        faults.push(Finding::of_part(Severity::Error, note));
+    if let (None, Some(strongest)) = (strong, strongest) {
+        let note = match slot {
+            Some(slot) => Note::new("no-screw-for-slot")
+                .with("slot", slot)
+                .with("screw", strongest.thread)
+                .with("bears", strongest.force_80.0),
+            None => Note::new("no-screw"),
+        };
+        let note = note.with("force", each.rounded(0).0).with("clamps", clamps.len());
+        faults.push(Finding::of_part(short(strongest.force_80), note));
     }
-    // Where no screw of the table bears the force, the last and strongest is shown.
-    let screw = match strong.or(screws.last()) {
+    // Where no screw bears the force, the strongest is shown.
+    let screw = match strong.or(strongest) {
         Some(screw) => screw,
         None => return Err(KnowledgeError::no_row(shop.knowledge.table_of::<ClampScrew<'_>>()?, "a screw")),
     };
@@ -214,6 +240,12 @@ fn clamped(
     let mut because = vec![why, safety, friction];
     because.extend(side.map(|_| of_support));
     because.extend([no_thinner, Because::row(shown.row, note)]);
+    let strap = straps.iter().find(|strap| proposed && strap.screw == shown.thread);
+    because.extend(strap.map(|strap| {
+        let note =
+            Note::new("strap").with("screw", strap.screw).with("width", strap.width).with("height", strap.stands);
+        Because::row(strap.row, note)
+    }));
     let clamping = Clamping {
         torque_n_m: torque,
         side_force_n: side.map(|side| side.rounded(0)),
@@ -225,9 +257,11 @@ fn clamped(
         screw_bears_n: most,
         clamps,
         proposed,
+        strap: strap.map(|strap| Strap { width_mm: strap.width, length_mm: strap.length, height_mm: strap.stands }),
         safe_distance_mm: shown.safe_distance,
         because,
     };
+    faults.extend(beside_strap(part, holes, &clamping, shop)?);
     if let Some((name, distance, needed)) = blocked(part, &clamping.clamps, inset) {
         let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed);
         let note = note.with("hole", Figure::called(name));
@@ -239,11 +273,34 @@ fn clamped(
             .with("bears", most.0)
             .with("force", clamping.force_per_clamp_n.0)
             .with("needed", name);
-        faults.push(Finding::of_part(Severity::Error, note));
+        faults.push(Finding::of_part(short(most), note));
     }
     let hold = hold::Hold { torque: turns.0, side: pushes, hole: turns.1, bears: most, safety: k, friction: f + f2 };
     faults.extend(hold::faults(part, &clamping.clamps, hold, shop)?);
     Ok(Some((clamping, faults)))
+}
+
+/// A hole whose tools come nearer to a strap than the margin of the convention.
+fn beside_strap(
+    part: &Part,
+    holes: &[HolePlan],
+    clamping: &Clamping,
+    shop: &Shop<'_>,
+) -> Result<Option<Finding>, KnowledgeError> {
+    let Some(strap) = clamping.strap else { return Ok(None) };
+    let side = Micrometres::from_mm_rounded(convention(Convention::ObstacleSide, shop.knowledge)?.0);
+    let straps: Vec<Outline> = clamping.clamps.iter().map(|at| strap.standing(*at, part).outline).collect();
+    let near = holes.iter().zip(&part.holes).find(|(plan, hole)| {
+        let here = plan.transitions.iter().filter(|one| !one.elsewhere);
+        let widest = here.map(|one| one.diameter_mm.max(one.tool.diameter_mm)).max().unwrap_or_default();
+        let room = widest.max(hole.diameter.nominal).half() + side;
+        hole.at.iter().any(|at| straps.iter().any(|strap| strap.is_hit(*at, *at, room)))
+    });
+    Ok(near.map(|(plan, _)| {
+        let note = Note::new("strap-near-hole").with("screw", &clamping.screw).with("width", strap.width_mm);
+        let note = note.with("least", side).with("hole", Figure::called(&plan.name));
+        Finding::of_part(Severity::Error, note)
+    }))
 }
 
 /// A hole so near to a clamp that the tool would hit it: half the width of the clamp is the inset.
@@ -255,7 +312,10 @@ fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(
     })
 }
 
-/// Symmetric pairs on two opposite sides, and sets of four from two pairs: those with the most room to the holes
+/// How many pairs sets of six are made of: 56 sets are tried at most.
+const BEST_PAIRS: usize = 8;
+
+/// Symmetric pairs on two opposite sides, sets of four from two pairs, and of six from three of the best: those with the most room to the holes
 /// first, corners last; among equals the middles of the sides first. Where holes block all of them, the best pair
 /// alone.
 ///
@@ -291,5 +351,12 @@ fn proposals(part: &Part, inset: Micrometres, machine: &Machine<'_>) -> Vec<Vec<
     }
     let fours = free.iter().enumerate().flat_map(|(at, one)| free[at + 1..].iter().map(|two| [&one[..], two].concat()));
     let fours: Vec<Vec<Point>> = fours.collect();
-    free.into_iter().cloned().chain(fours).collect()
+    let best = &free[..free.len().min(BEST_PAIRS)];
+    let mut sixes = Vec::new();
+    for (at, one) in best.iter().enumerate() {
+        for (next, two) in best.iter().enumerate().skip(at + 1) {
+            sixes.extend(best[next + 1..].iter().map(|three| [&one[..], two, three].concat()));
+        }
+    }
+    free.iter().map(|pair| (*pair).clone()).chain(fours).chain(sixes).collect()
 }

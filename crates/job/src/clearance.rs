@@ -9,6 +9,7 @@ use crate::tables::controls::Convention;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
+use super::on_table::swing;
 use super::{SetUp, ToolWork};
 use crate::shop::convention;
 
@@ -31,6 +32,51 @@ pub(super) fn change_over_part(
     }
 }
 
+/// The straps that the plan proposes. Where the file says how high tools go from hole to hole, the straps must be chosen lower
+/// than that instead.
+pub(super) fn straps(plan: &Plan) -> Vec<Standing> {
+    let clamping = plan.clamping.as_ref().filter(|clamping| clamping.proposed && plan.part.fixture.retract.is_none());
+    let Some((clamping, strap)) = clamping.and_then(|clamping| Some((clamping, clamping.strap?))) else {
+        return Vec::new();
+    };
+    clamping.clamps.iter().map(|at| strap.standing(*at, &plan.part)).collect()
+}
+
+/// Tools that work nearer to what stands over the face than the margin of the convention: a clamp by hand does not stand
+/// where the file says to the tenth. The foot about a clamp without an outline has its margin in it.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub(super) fn beside(
+    setup: &SetUp,
+    plan: &Plan,
+    shop: &Shop<'_>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let side = Micrometres::from_mm_rounded(convention(Convention::ObstacleSide, shop.knowledge)?.0);
+    for one in setup.standing.iter().filter(|one| matches!(one.outline, Outline::Box(..))) {
+        let near = setup.works.iter().find(|work| {
+            let radius = radius_of(work, plan);
+            work.stops.iter().any(|stop| {
+                one.outline.is_hit(stop.at, stop.at, radius + swing(work, stop.cycle) + side)
+                    && work.cycles.get(stop.cycle).is_some_and(|cycle| cycle.end < plan.part.datum.top + one.height)
+            })
+        });
+        if let Some(work) = near {
+            let note = Note::new("tool-beside-clamp").with("tool", work.tool).with("least", side);
+            let note = note.with("at", format!("[{}; {}]", one.at.x, one.at.y));
+            findings.push(Finding::of_part(Severity::Wrong, note));
+        }
+    }
+    Ok(())
+}
+
+/// Half of the diameter of its tool.
+fn radius_of(work: &ToolWork, plan: &Plan) -> Micrometres {
+    let tool = plan.tools.iter().find(|tool| tool.number == work.tool);
+    tool.map(|tool| tool.diameter_mm.half()).unwrap_or_default()
+}
+
 /// Paths from hole to hole that cross a clamp whose height is not known: of the part file nobody can prove them, and clamps
 /// that the plan proposes must be chosen low enough.
 ///
@@ -47,7 +93,10 @@ pub(super) fn ways_over_clamps(
     let home = Point { x: change.0 - setup.zero.x, y: change.1 - setup.zero.y };
     let unmeasured = plan.part.fixture.clamps.iter().filter(|clamp| clamp.height.is_none());
     let unmeasured = unmeasured.map(|clamp| (clamp.at, clamp.outline(foot))).collect();
-    let proposed = plan.clamping.iter().filter(|clamping| clamping.proposed).flat_map(|clamping| &clamping.clamps);
+    // Tools go over straps, unless the file says how high they go.
+    let retract = plan.part.fixture.retract;
+    let proposed = plan.clamping.iter().filter(|clamping| clamping.proposed && retract.is_some());
+    let proposed = proposed.flat_map(|clamping| &clamping.clamps);
     let proposed = proposed.map(|at| (*at, Outline::Round(*at, foot))).collect();
     let both: [(Vec<(Point, Outline)>, _, _); 2] =
         [(unmeasured, Severity::Wrong, "ways-over-clamps"), (proposed, Severity::Note, "ways-over-proposed-clamps")];
@@ -90,12 +139,15 @@ pub(super) fn go_over(
 ) -> Result<(), KnowledgeError> {
     let part = &plan.part;
     let room = Micrometres::from_mm_rounded(convention(Convention::ObstacleClearance, shop.knowledge)?.0);
+    let side = Micrometres::from_mm_rounded(convention(Convention::ObstacleSide, shop.knowledge)?.0);
     for work in works {
-        let radius = plan.tools.iter().find(|tool| tool.number == work.tool).map(|tool| tool.diameter_mm.half());
+        let radius = radius_of(work, plan);
         let ends = std::iter::once(home).chain(work.stops.iter().map(|stop| stop.at)).chain([home]);
         let points: Vec<Point> = ends.collect();
         let in_the_way = standing.iter().filter(|one| {
-            let hit = |pair: &[Point]| one.outline.is_hit_by_rapid(pair[0], pair[1], radius.unwrap_or_default());
+            // The foot about a clamp without an outline has its margin in it.
+            let margin = if matches!(one.outline, Outline::Box(..)) { side } else { Micrometres::ZERO };
+            let hit = |pair: &[Point]| one.outline.is_hit_by_rapid(pair[0], pair[1], radius + margin);
             points.windows(2).any(hit)
         });
         let highest = in_the_way.max_by_key(|one| one.height);
@@ -111,7 +163,8 @@ pub(super) fn go_over(
             raised |= out > cycle.out;
             cycle.out = out;
         }
-        if let Some(one) = highest.filter(|_| raised && part.fixture.retract.is_none()) {
+        // How high straps of the plan's own are stands in its set-up.
+        if let Some(one) = highest.filter(|one| raised && !one.proposed && part.fixture.retract.is_none()) {
             let note = Note::new("goes-over").with("tool", work.tool).with("height", over);
             let shown = format!("[{}; {}]", one.at.x, one.at.y);
             findings.push(Finding::of_part(Severity::Note, note.with("at", shown)));

@@ -10,7 +10,7 @@ use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
-use super::clearance::{change_over_part, go_over, ways_over_clamps};
+use super::clearance::{beside, change_over_part, go_over, straps, ways_over_clamps};
 use super::cycle::{Feeding, cycle};
 use super::envelope::envelopes;
 use super::on_table;
@@ -50,17 +50,21 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         if works.is_empty() {
             continue;
         }
-        let standing = part.standing(number, shop.convention(HoleDefault::ClampInset)?);
+        let mut standing = part.standing(number, shop.convention(HoleDefault::ClampInset)?);
+        // The clamps are those of the first set-up.
+        if number == 1 {
+            standing.extend(straps(plan));
+        }
         let zero = across(part, &works, machine);
         let home = Point { x: machine.tool_change_at.0 - zero.x, y: machine.tool_change_at.1 - zero.y };
         go_over(&mut works, &standing, home, plan, shop, &mut findings)?;
-        let PartPosition { zero, supports, nose } = stand(part, plan, &works, shop, &mut findings)?;
+        let PartPosition { zero, supports, nose } = stand(part, plan, &works, &standing, shop, &mut findings)?;
         let setup = SetUp { number, face, zero, supports, nose, works, standing };
         change_over_part(&setup, part, machine.tool_change_at, &mut findings);
-        // The clamps of the file are those of the first set-up.
         if face == Face::Entry {
             ways_over_clamps(&setup, plan, machine.tool_change_at, shop, &mut findings)?;
         }
+        beside(&setup, plan, shop, &mut findings)?;
         reach_of_quill(&setup, plan, shop, &mut findings);
         on_table::faults(&setup, plan, machine, &mut findings);
         setups.push(setup);

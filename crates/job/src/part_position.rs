@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::machine::Machine;
 use crate::motion::{Axis, Position};
 use crate::note::{Finding, Note, Severity};
-use crate::part::{Part, Point};
+use crate::part::{Part, Point, Standing};
 use crate::plan::Plan;
 use crate::shop::Shop;
 use crate::tables::controls::Convention;
@@ -29,8 +29,8 @@ pub(super) struct PartPosition {
 ///   travels. If points would then be outside the travel, the blank is shifted so that they are in its middle.
 /// - Z: the knee is as high as the longest tool allows: with the quill retracted this tool clears the part by the
 ///   retract height. It is the reference tool of the corrections, so its tip is used for measuring the zero.
-/// - Under the part there is room for tools that go through: without a height of the fixture, supports of whole
-///   millimetres are assumed, and reported.
+/// - Under the part there is room for tools that go through, and `support-room` more: without a height of the fixture,
+///   supports of whole millimetres are assumed, and reported.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -38,6 +38,7 @@ pub(super) fn stand(
     part: &Part,
     plan: &Plan,
     works: &[ToolWork],
+    standing: &[Standing],
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
 ) -> Result<PartPosition, KnowledgeError> {
@@ -48,6 +49,10 @@ pub(super) fn stand(
     let reference = plan.tools.iter().map(|tool| tool.length_mm - tool.correction_mm).max().unwrap_or_default();
     let longest = plan.tools.iter().map(|tool| tool.correction_mm).max().unwrap_or_default();
     let heights = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.out)).max().unwrap_or_default();
+    // With the quill retracted the longest tool clears what stands over the face, too: from one point to another, and to the tool change.
+    let room = Micrometres::from_mm_rounded(convention(Convention::ObstacleClearance, shop.knowledge)?.0);
+    let highest = standing.iter().map(|one| part.datum.top + one.height + room).max();
+    let heights = heights.max(highest.filter(|_| part.fixture.retract.is_none()).unwrap_or(heights));
     let supports = match &plan.setup.vice {
         Some(vice) => vice.height(),
         None => supports(part, works, shop, findings)?,
@@ -89,17 +94,22 @@ fn supports(
 ) -> Result<Micrometres, KnowledgeError> {
     let lowest = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.end)).min().unwrap_or_default();
     let below = (part.datum.top - part.blank.thickness - lowest).max(Micrometres::ZERO);
+    let room = Micrometres::from_mm_rounded(convention(Convention::SupportRoom, shop.knowledge)?.0);
     match part.fixture.height {
         Some(height) => {
             if below > height {
                 let note = Note::new("no-room-under-part").with("below", below).with("height", height);
                 findings.push(Finding::of_part(Severity::Error, note));
+            } else if below > Micrometres::ZERO && below + room > height {
+                let note = Note::new("scant-room-under-part").with("below", below).with("height", height);
+                findings.push(Finding::of_part(Severity::Doubtful, note.with("room", room)));
             }
             Ok(height)
         }
         None => {
             let step = Micrometres::from_mm_rounded(convention(Convention::KneeStep, shop.knowledge)?.0);
-            let height = up_to(below, step);
+            let needed = if below > Micrometres::ZERO { below + room } else { below };
+            let height = up_to(needed, step);
             if below > Micrometres::ZERO {
                 let note = Note::new("supports-assumed").with("below", below).with("height", height);
                 findings.push(Finding::of_part(Severity::Note, note));

@@ -23,7 +23,8 @@ pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
         )
     });
     let clamps = clamps(plan, job, lang);
-    let remarks = unfinished(job, lang).into_iter().chain(set_ups).chain(clamps).chain(tools).chain(loads(job, lang));
+    let remarks = unfinished(job, lang).into_iter().chain(set_ups).chain(clamps).chain(tools);
+    let remarks = remarks.chain([say!(lang, "setting-lengths").to_owned()]).chain(loads(job, lang));
     let remarks: String = remarks.map(|line| format!("# {line}\n")).collect();
     remarks + &setting.to_yaml()
 }
@@ -64,6 +65,7 @@ fn tools(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> Table {
         table.row([number.into(), place, register.into(), designation, diameter, length, correction]);
     }
     table.notes.push(say!(lang, "setting-places").into());
+    table.notes.push(say!(lang, "setting-lengths").into());
     table.notes.extend(loads(job, lang).into_iter().map(Inlines::from));
     table
 }
@@ -115,7 +117,7 @@ fn clamps(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
         return held.chain(marked.then(|| say!(lang, "setting-mark").to_owned())).collect();
     }
     let Some(clamping) = &plan.clamping else { return vec![say!(lang, "plan-no-clamping").to_owned()] };
-    let mut lines = vec![super::sheet::clamps_of(clamping, lang)];
+    let mut lines = vec![super::sheet::clamps_of(clamping, &plan.part, lang)];
     if clamping.because.iter().any(|because| because.unconfirmed.is_some()) {
         lines.push(say!(lang, "setting-mark").to_owned());
     }

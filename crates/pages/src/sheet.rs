@@ -5,6 +5,7 @@ use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::material::Material;
 use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
+use crate::part::Part;
 use crate::plan::{Clamping, Plan};
 use crate::units::{Micrometres, round_to};
 
@@ -134,13 +135,22 @@ pub(super) fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang
 }
 
 /// Where the clamps press, with which force and screw.
-pub(super) fn clamps_of(clamping: &Clamping, lang: Lang) -> String {
+pub(super) fn clamps_of(clamping: &Clamping, part: &Part, lang: Lang) -> String {
     let points = clamping.clamps.iter().map(|point| say!(lang, "plan-point", x = point.x, y = point.y));
     let points = points.collect::<Vec<_>>().join(", ");
     let key = if clamping.proposed { "plan-clamps-proposed" } else { "plan-clamps" };
     let screw = format!("{}{}", clamping.screw, mark(&clamping.because));
     let sentence = Note::new(key).with("points", points).with("force", rounded(clamping.force_per_clamp_n.0, 0));
-    lang.say(&sentence.with("screw", screw).with("distance", clamping.safe_distance_mm))
+    let said = lang.say(&sentence.with("screw", screw).with("distance", clamping.safe_distance_mm));
+    let Some(strap) = clamping.strap else { return said };
+    let straps = match part.fixture.retract {
+        Some(retract) => Note::new("plan-straps-lower").with("most", retract),
+        None => Note::new("plan-straps")
+            .with("width", strap.width_mm)
+            .with("length", strap.length_mm)
+            .with("height", strap.height_mm),
+    };
+    [said, lang.say(&straps)].join(" ")
 }
 
 /// That the screw does not bear its share.

@@ -37,6 +37,10 @@ vocabulary! {
         Withdrawal = "withdrawal",
         /// How high over a clamp or an obstacle a tool goes, mm.
         ObstacleClearance = "obstacle-clearance",
+        /// How far beside a clamp or an obstacle of a measured outline a tool keeps, mm.
+        ObstacleSide = "obstacle-side",
+        /// How much more room than tools need supports leave below the part, mm.
+        SupportRoom = "support-room",
         /// The step to which the height of the knee is set, mm.
         KneeStep = "knee-step",
         /// The increment of block numbers.
@@ -76,7 +80,12 @@ impl Convention {
     /// The unit of its value, as the table writes it.
     pub const fn unit(self) -> &'static str {
         match self {
-            Self::Withdrawal | Self::ObstacleClearance | Self::KneeStep | Self::PeckMost => "mm",
+            Self::Withdrawal
+            | Self::ObstacleClearance
+            | Self::ObstacleSide
+            | Self::SupportRoom
+            | Self::KneeStep
+            | Self::PeckMost => "mm",
             Self::FeedStep => "mm/min",
             Self::DwellStep | Self::DwellInHoleMost | Self::DwellLeast | Self::DwellMost => "s",
             Self::LoadToolTime | Self::SetBarTime | Self::TurnOverTime => "min",

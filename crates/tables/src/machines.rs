@@ -22,6 +22,8 @@ vocabulary! {
         TableLength = "table-length",
         TableWidth = "table-width",
         TSlots = "t-slots",
+        /// The width of its T-slots, mm.
+        TSlotWidth = "t-slot-width",
         NoseToTableMin = "nose-to-table-min",
         NoseToTableMax = "nose-to-table-max",
         SpindleToColumn = "spindle-to-column",

@@ -44,6 +44,15 @@ rows! {
         safe_distance: Micrometres,
     } shown { force_90, force_100 }
 
+    /// Straps by their screws.
+    pub struct StrapRow of One("straps") {
+        screw: &'t str,
+        slot: Micrometres,
+        width: Micrometres,
+        length: Micrometres,
+        stands: Micrometres,
+    }
+
     /// Machine vices, those that are tried first first.
     pub struct MachineVice of One("vices") {
         designation: &'t str,

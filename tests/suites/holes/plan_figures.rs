@@ -156,7 +156,7 @@ fn harder_metal_is_not_cut_faster() {
     }
 }
 
-/// Ø30 in the middle of a square of 100 mm and four holes Ø12, straps of half width 20. With the holes on the axes only
+/// Ø16 in the middle of a square of 100 mm and four holes Ø12, straps of half width 20. With the holes on the axes only
 /// the corners are free: (30, 30) is 30.3 mm from (0, 34), which requires 26. With holes at the corners too no place is
 /// left, and a vice takes the part.
 #[test]
@@ -165,7 +165,7 @@ fn clamps_of_our_own_are_moved_until_they_hold_and_never_fail_the_plan() {
         read(&format!(
             "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 100, width: 100, thickness: 20}}\n\
              holes:\n  \
-             - {{name: A, diameter: 30H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.6, at: [[0, 0]]}}\n  \
+             - {{name: A, diameter: 16H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.6, at: [[0, 0]]}}\n  \
              - {{name: B, diameter: 12H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.6, \
              at: [[0, 34], [0, -34], [34, 0], [-34, 0]{more}]}}\n"
         ))

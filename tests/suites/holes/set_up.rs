@@ -1,9 +1,10 @@
 //! The set-up of a part: on the table, within reach, held.
 
 use technolog::note::{Finding, Severity};
-use technolog::plan::{CuttingMethod, FixtureKind, HeldBy, JawsAlong, PartLocating, Plan, TableKeying};
+use technolog::plan::{CuttingMethod, FixtureKind, HeldBy, JawsAlong, PartLocating, Plan, TableKeying, Touched};
+use technolog::report::{Doubts, Lang, sheet};
 use technolog::units::Micrometres;
-use technolog_testing::{planned, read};
+use technolog_testing::{KNOWLEDGE, planned, read};
 
 /// A part of steel 45 on the ГФ2171: its blank, more lines of the file, and the places of its holes.
 fn plan(blank: [u32; 3], more: &str, at: &str) -> Plan {
@@ -125,8 +126,21 @@ fn no_vice_is_named_whose_parallels_would_be_cut() {
     assert!(near.setup.vice.is_none());
     assert_eq!(figures(&near, "no-vice", &["why"]).0, Severity::Doubtful);
     assert!(found(&near, "no-place-for-clamps").is_some());
-    // What the file says of its fixture is for who made it.
-    assert!(plan([60, 50, 30], "fixture: {height: 20}", CORNERS).setup.vice.is_none());
+    // Clamps of the file are for who made it.
+    let own = "fixture: {clamps: [{at: [0, -20]}, {at: [0, 20]}]}";
+    assert!(found(&plan([60, 50, 30], own, NEAR_SIDES), "no-vice").is_none());
+}
+
+/// A height of the file does not make the part hold itself: ways of 73 mm and parallels of 18 give 91; 20 mm are less than any ways.
+#[test]
+fn a_height_of_the_file_does_not_switch_the_vice_off() {
+    let suits = plan([60, 50, 30], "fixture: {height: 91}", CORNERS);
+    let vice = suits.setup.vice.as_ref().unwrap();
+    assert_eq!((vice.parallels_mm, vice.height()), (Some(Micrometres::from_mm(18)), Micrometres::from_mm(91)));
+    assert!(!suits.has_errors(), "{:?}", suits.findings);
+    let none = plan([60, 50, 30], "fixture: {height: 20}", CORNERS);
+    assert!(none.setup.vice.is_none() && none.clamping.is_none() && none.has_errors());
+    assert_eq!(figures(&none, "no-vice", &["why"]).0, Severity::Wrong);
 }
 
 /// x0 = xM − B − d/2 (textbook 1.12.2): with the zero at the left front corner, B and H are the length and the width.
@@ -134,9 +148,10 @@ fn no_vice_is_named_whose_parallels_would_be_cut() {
 fn zeros_are_told_by_the_sides_that_an_arbor_touches() {
     let corner = plan([300, 200, 40], "datum: {x: left, y: front}", "[[50, 50], [250, 150]]");
     let [stand] = &corner.setup.stands[..] else { panic!("{:?}", corner.setup) };
-    assert_eq!(stand.sides_mm, [300, 200].map(Micrometres::from_mm));
+    // A drawing that gives all dimensions from the left and the front is touched there: X = xM + d/2.
+    assert_eq!(stand.sides_mm, [0, 0].map(Micrometres::from_mm));
+    assert_eq!(stand.touched, Touched { left: true, front: true });
     assert_eq!((stand.zero_mm[0], stand.zero_mm[1]), (Micrometres::from_mm(-150), Micrometres::from_mm(-100)));
-    assert_eq!(stand.first_level_mm, Micrometres::from_mm(15));
     // The place of the tool change, X0 Y196 of the machine, in the drawing.
     assert_eq!((stand.start.x, stand.start.y), (Micrometres::from_mm(150), Micrometres::from_mm(296)));
     // With the reference tool on the face: its length is what is left of the nose over face and supports.
@@ -144,6 +159,95 @@ fn zeros_are_told_by_the_sides_that_an_arbor_touches() {
     let tool = corner.tools.iter().find(|tool| tool.number == reference).unwrap();
     assert_eq!(stand.zero_mm[2], Micrometres::from_mm(40) + stand.height_mm + tool.length_mm - nose);
     assert_eq!(serde_json::from_str::<Plan>(&serde_json::to_string(&corner).unwrap()).unwrap(), corner);
+}
+
+/// The hole and its counterbore from behind must be coaxial on a blank of 241 mm instead of 240, so that both set-ups count from one
+/// face: the left one, which lies on the right when the part is turned over; of a part dimensioned from its middle the right one.
+#[test]
+fn both_set_ups_touch_the_same_face_of_the_part() {
+    let of = |datum: &str, x: u32| {
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 240, width: 160, thickness: 30}}\n{datum}\nholes:\n  - name: B\n    through: true\n    roughness: Ra 12.5\n    centre_tolerance: 0.3\n    \
+             steps: [{{diameter: 11, length: 20}}, {{diameter: 18}}]\n    at: [[{x}, 30]]\n"
+        );
+        planned(&read(&text), CuttingMethod::Formula)
+    };
+    for (datum, x, touched, sides) in
+        [("datum: {x: left, y: front}", 50, [true, false], [0, 240]), ("", 20, [false, true], [120, -120])]
+    {
+        let plan = of(datum, x);
+        let [first, second] = &plan.setup.stands[..] else { panic!("{:?}", plan.setup.stands) };
+        assert_eq!([first.touched.left, second.touched.left], touched, "{datum}");
+        assert_eq!([first.sides_mm[0], second.sides_mm[0]], sides.map(Micrometres::from_mm), "{datum}");
+        assert_eq!(first.touched.front, second.touched.front);
+        // On a blank 1 mm longer a hole 50 mm from the face is 50 mm from it in both: the zero is set so that the touched side has
+        // its coordinate of the drawing.
+        let hole = Micrometres::from_mm(i64::from(x));
+        let middle = plan.part.middle().x;
+        let turned = middle + middle - hole;
+        assert_eq!((first.sides_mm[0] - hole).abs(), (second.sides_mm[0] - turned).abs());
+    }
+}
+
+/// A strap of M10 is 15 mm high (DIN 6314), a nut of 1.5 d and what is over and under it 20 more: 35 mm, and 5 over it.
+#[test]
+fn tools_go_over_the_straps_that_the_plan_proposes() {
+    // Holes in the corners, and the clamps in the middles of the long sides: ways along them cross a clamp.
+    let over = plan([300, 200, 40], "", "[[-130, -80], [130, -80], [130, 80], [-130, 80]]");
+    let clamping = over.clamping.as_ref().unwrap();
+    assert!(clamping.proposed && !over.has_errors(), "{:?}", over.findings);
+    let strap = clamping.strap.unwrap();
+    assert_eq!((clamping.screw.as_str(), strap.height_mm), ("M10", Micrometres::from_mm(35)));
+    assert_eq!(over.setup.stands[0].first_level_mm, Micrometres::from_mm(40));
+    // Where the file says how high tools go, the setter is told the bound.
+    let bound = plan([300, 200, 40], "fixture: {retract: 25}", "[[-130, -80], [130, -80], [130, 80], [-130, 80]]");
+    assert_eq!(bound.setup.stands[0].first_level_mm, Micrometres::from_mm(25));
+    let page = sheet::page(&bound, &KNOWLEDGE, Doubts::Counted, Lang::EN);
+    assert!(technolog_testing::pages::shown(&page).contains("must be lower than 25 mm over the face"));
+}
+
+/// Slots of 18 mm take bolts of M16, which bear 10449 N: what two cannot, four or six must.
+#[test]
+fn screws_fit_the_slots_of_the_table() {
+    for diameter in [30, 40, 48, 60, 80] {
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 300, width: 250, thickness: 40}}\nholes:\n  \
+             - {{name: A, diameter: {diameter}H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[0, 0]]}}\n"
+        );
+        let plan = planned(&read(&text), CuttingMethod::Formula);
+        let Some(clamping) = &plan.clamping else { panic!("{diameter}: {:?}", plan.findings) };
+        assert!(["M10", "M12", "M16"].contains(&clamping.screw.as_str()), "{diameter}: {clamping:?}");
+        assert!(clamping.screw_bears_n.0 >= clamping.force_per_clamp_n.0);
+    }
+}
+
+/// Tools come out a point of 118° and 1 to 3 mm below the part; supports leave 3 mm more.
+#[test]
+fn supports_leave_room_below_the_tools() {
+    let part = plan([300, 200, 40], "", "[[0, 0]]");
+    let lowest = part.holes[0].transitions.iter().map(|one| one.end()).max().unwrap() - Micrometres::from_mm(40);
+    let left = part.setup.stands[0].height_mm - lowest;
+    // Motions are on the grid of the machine, 0.01 mm.
+    assert!(left.to_mm() > 2.99 && left < Micrometres::from_mm(4), "{left:?}");
+    let scant = plan([300, 200, 40], "fixture: {height: 7}", "[[0, 0]]");
+    assert_eq!(figures(&scant, "scant-room-under-part", &["height"]).0, Severity::Doubtful);
+}
+
+/// A measured clamp beside the widest tool, 6 and 4 mm from its edge.
+#[test]
+fn tools_keep_clear_of_a_clamp_with_an_outline() {
+    let of = |begin: f64| {
+        let clamps = format!(
+            "fixture: {{clamps: [{{at: [40, 0], height: 40, outline: [[{begin}, -20], [60, 20]]}}, {{at: [-120, 0], height: 40}}]}}"
+        );
+        plan([300, 200, 40], &clamps, "[[0, 0], [0, 60]]")
+    };
+    let free = of(35.0);
+    assert!(found(&free, "tool-beside-clamp").is_none(), "{:?}", free.findings);
+    let widest = free.tools.iter().map(|tool| tool.diameter_mm.to_mm()).fold(0.0, f64::max);
+    assert!(found(&of(widest / 2.0 + 6.0), "tool-beside-clamp").is_none());
+    let near = of(widest / 2.0 + 4.0);
+    assert_eq!(figures(&near, "tool-beside-clamp", &["least"]), (Severity::Wrong, vec!["5".into()]));
 }
 
 /// Appendix Г, item 8: 2.5 · 26.52 / (0.25 · 0.283) = 937 N (the example prints 977) with both clamps 283 mm from the hole, which

@@ -49,7 +49,14 @@ fn visits(bench: &ProofBench, name: &str, language: &Language) -> Result<Visits,
     let faults: Vec<_> = faults.iter().filter(|fault| fits || fault.code != "beyond-travel-of").collect();
     prop_assert!(faults.is_empty(), "{name}: {faults:?}\n{text}");
     // A control has peck clearances of its own; that is a note.
-    let findings: Vec<_> = proof.findings.iter().filter(|finding| finding.severity < Severity::Note).collect();
+    // That a holder needs a lower strap than the catalog's is a doubt about what the plan proposes, not about its motions.
+    let of_strap = |code: &str| code.starts_with("holder-");
+    let findings: Vec<_> = proof
+        .findings
+        .iter()
+        .filter(|finding| finding.severity < Severity::Note)
+        .filter(|finding| finding.severity < Severity::Doubtful || !of_strap(finding.code.name()))
+        .collect();
     prop_assert!(!fits || findings.is_empty(), "{name}: {findings:?}\n{text}");
     Ok(proof.visits.iter().map(|visit| (visit.hole.clone(), visit.transition, visit.pass, visit.at)).collect())
 }

@@ -14,6 +14,9 @@ pub struct Standing {
     pub outline: Outline,
     /// How high it stands over the face, mm.
     pub height: Micrometres,
+    /// Whether it is the plan's own proposal, whose height is that of a strap of a catalog and may be chosen lower.
+    #[serde(skip)]
+    pub proposed: bool,
 }
 
 /// An outline seen from above.
@@ -30,15 +33,14 @@ impl Part {
     /// What stands over the face in a set-up, from 1. The clamps of the file are those of the first, and without an outline
     /// as wide as `foot` about the point where they press; one without a height is not known to be in the way.
     pub fn standing(&self, set_up: u32, foot: Micrometres) -> Vec<Standing> {
-        let clamps =
-            self.fixture.clamps.iter().filter(|_| set_up == 1).filter_map(|clamp| {
-                Some(Standing { at: clamp.at, outline: clamp.outline(foot), height: clamp.height? })
-            });
+        let clamps = self.fixture.clamps.iter().filter(|_| set_up == 1).filter_map(|clamp| {
+            Some(Standing { at: clamp.at, outline: clamp.outline(foot), height: clamp.height?, proposed: false })
+        });
         let obstacles = self.fixture.obstacles.iter().filter(|obstacle| obstacle.set_up == set_up).map(|obstacle| {
             let [a, b] = obstacle.outline.map(|corner| if set_up == 2 { self.turned_over(corner) } else { corner });
             let (low, high) = (Point { x: a.x.min(b.x), y: a.y.min(b.y) }, Point { x: a.x.max(b.x), y: a.y.max(b.y) });
             let at = Point { x: (low.x + high.x).half(), y: (low.y + high.y).half() };
-            Standing { at, outline: Outline::Box(low, high), height: obstacle.height }
+            Standing { at, outline: Outline::Box(low, high), height: obstacle.height, proposed: false }
         });
         clamps.chain(obstacles).collect()
     }

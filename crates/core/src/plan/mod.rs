@@ -22,7 +22,7 @@ pub use crate::knowledge::vocabulary::{CuttingMethod, Operation};
 pub use crate::tables::rules::{FixtureKind, HeldBy, PartLocating, TableKeying, VisitingMethod};
 pub use order::{Mixture, Stop, Times, ToolVisit, Visiting};
 pub use route::{Achieved, Alternative, AlternativeStep, Feature, Route, RouteSource};
-pub use set_up::{FixturePlan, JawsAlong, Setup, Stand, Vice};
+pub use set_up::{FixturePlan, JawsAlong, Setup, Stand, Strap, Touched, Vice};
 
 /// What holds cutting conditions back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -408,6 +408,9 @@ pub struct Clamping {
     pub clamps: Vec<Point>,
     /// Whether the clamps are the program's proposal.
     pub proposed: bool,
+    /// The straps of a proposal, by its screw: tools go over them.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub strap: Option<Strap>,
     /// The safe distance from a clamp to the start point, mm.
     pub safe_distance_mm: Micrometres,
     /// Why.

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::note::Because;
-use crate::part::{Face, Point};
+use crate::part::{Face, Outline, Part, Point, Standing};
 use crate::tables::rules::{FixtureKind, HeldBy, PartLocating, TableKeying};
 use crate::units::{Micrometres, Newtons};
 
@@ -79,6 +79,36 @@ impl Vice {
     }
 }
 
+/// A strap of a proposed clamp: a rectangle that reaches outward over the nearest side of the part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Strap {
+    /// Its width, mm.
+    pub width_mm: Micrometres,
+    /// Its length, mm.
+    pub length_mm: Micrometres,
+    /// How high it stands over the face, with nut and stud, mm.
+    pub height_mm: Micrometres,
+}
+
+impl Strap {
+    /// How it stands where it presses at a point: half its width farther in than the point, the rest of its length outward.
+    pub fn standing(&self, at: Point, part: &Part) -> Standing {
+        let (blank, datum, half) = (&part.blank, &part.datum, self.width_mm.half());
+        let (left, front) = (at.x - datum.left, at.y - datum.front);
+        let (right, back) = (blank.length - left, blank.width - front);
+        let nearest = left.min(right).min(front).min(back);
+        let out = self.length_mm - half;
+        let reach = |toward: bool| if toward { out } else { half };
+        // Toward one side alone, where a corner is as near to two.
+        let [to_left, to_right, to_front] = [left == nearest, right == nearest, front == nearest];
+        let along = to_left || to_right;
+        let (to_right, to_front, to_back) = (to_right && !to_left, to_front && !along, !to_front && !along);
+        let low = Point { x: at.x - reach(to_left), y: at.y - reach(to_front) };
+        let high = Point { x: at.x + reach(to_right), y: at.y + reach(to_back) };
+        Standing { at, outline: Outline::Box(low, high), height: self.height_mm, proposed: true }
+    }
+}
+
 /// The axis along which the jaws of a vice stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum JawsAlong {
@@ -118,9 +148,14 @@ pub struct Stand {
     /// Where the zero of the drawing then lies in the frame of the machine: X and Y as the part lies, Z with the reference
     /// tool; mm.
     pub zero_mm: [Micrometres; 3],
-    /// From the zero of the drawing to the right and the back side of the part, as it lies: the B and H of
-    /// x0 = xM − B − d/2, y0 = yM − H − d/2 (textbook 1.12.2), where an arbor of diameter d touches these sides; mm.
+    /// From the zero of the drawing to the two sides that an arbor of diameter d touches, as the part lies: the B and H of
+    /// x0 = xM − B − d/2, y0 = yM − H − d/2 (textbook 1.12.2) at the right and the back side, and x0 = xM − B + d/2 at the left
+    /// one; mm.
     pub sides_mm: [Micrometres; 2],
+    /// Which sides these are: those from which the drawing gives dimensions. The part turned over is touched on the same face,
+    /// which is then on the other side.
+    #[serde(default)]
+    pub touched: Touched,
     /// From the zero of the drawing up to the face, which the reference tool touches; mm.
     pub face_mm: Micrometres,
     /// The tool that all lengths are counted from.
@@ -133,4 +168,13 @@ pub struct Stand {
     /// From there to the nearest clamp with a screw, mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start_to_clamp_mm: Option<Micrometres>,
+}
+
+/// The sides of the part that an arbor touches, as it lies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Touched {
+    /// The left one, or else the right one.
+    pub left: bool,
+    /// The front one, or else the back one.
+    pub front: bool,
 }

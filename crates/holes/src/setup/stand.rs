@@ -3,7 +3,8 @@
 use crate::job::{Job, SetUp};
 use crate::machine::Machine;
 use crate::part::{Face, Point};
-use crate::plan::{Plan, Stand};
+use crate::plan::{Plan, Stand, Touched};
+use crate::units::Micrometres;
 
 /// How the part stands in each set-up of the job of a plan.
 pub fn stands(plan: &Plan, job: &Job, machine: &Machine<'_>) -> Vec<Stand> {
@@ -18,6 +19,14 @@ fn stand(plan: &Plan, job: &Job, setup: &SetUp, (frame, machine): (u8, &Machine<
     let outs = setup.works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.out));
     // The clamps are those of the first set-up.
     let clamps = plan.clamping.as_ref().filter(|_| setup.face == Face::Entry).map(|clamping| &clamping.clamps);
+    // The drawing gives dimensions from the side where its zero lies; from the middle, the right and the back one are touched.
+    let (left, front) = (datum.left == Micrometres::ZERO, datum.front == Micrometres::ZERO);
+    // Turned over about the line through its middle along Y, the part has its left side on the right.
+    let left = left != (setup.face == Face::Back);
+    let sides = [
+        if left { datum.left } else { datum.left + blank.length },
+        if front { datum.front } else { datum.front + blank.width },
+    ];
     Stand {
         set_up: setup.number,
         face: setup.face,
@@ -27,8 +36,8 @@ fn stand(plan: &Plan, job: &Job, setup: &SetUp, (frame, machine): (u8, &Machine<
         nose_to_table_mm: machine.nose_to_table.filter(|(least, most)| least < most).map(|_| setup.nose),
         frame,
         zero_mm: [zero.x, zero.y, zero.z],
-        // Turned over about the line through its middle along Y, the part keeps its sides where they were.
-        sides_mm: [datum.left + blank.length, datum.front + blank.width],
+        sides_mm: sides,
+        touched: Touched { left, front },
         face_mm: datum.top,
         reference_tool: plan.tools.iter().find(|tool| tool.correction_mm.micrometres() == 0).map(|tool| tool.number),
         first_level_mm: outs.max().unwrap_or_default() - datum.top,

@@ -149,9 +149,11 @@ impl InVice<'_, '_> {
         let (thickness, limits) = (self.part.blank.thickness, self.limits);
         let most = (thickness - limits.below_face).min(row.jaw_height);
         let least = limits.grip.max(Micrometres::from_mm_rounded(limits.grip_share * thickness.to_mm()));
+        // The height of the file is that of the ways and the parallels.
+        let given = self.part.fixture.height.map(|height| height - row.bed_height);
         let fits = |raised: Micrometres| {
             let grip = row.jaw_height - raised;
-            grip <= most && grip >= least
+            grip <= most && grip >= least && given.is_none_or(|given| raised == given)
         };
         if self.below == Micrometres::ZERO && fits(Micrometres::ZERO) {
             return Ok(None);
@@ -159,8 +161,15 @@ impl InVice<'_, '_> {
         let room = if self.below > Micrometres::ZERO { self.below + limits.room_below } else { Micrometres::ZERO };
         let mut standing = self.parallels.iter().filter(|one| one.height >= room && fits(one.height));
         let note = || {
-            let note = Note::new("vice-no-grip").with("jaws", row.jaw_height).with("below", self.below);
-            note.with("least", least).with("most", most)
+            let note = match self.part.fixture.height {
+                Some(height) => Note::new("vice-not-that-high").with("height", height).with("ways", row.bed_height),
+                // The jaws would stand over the face, or grip nothing.
+                None => Note::new("vice-no-grip")
+                    .with("thickness", thickness)
+                    .with("below_face", limits.below_face)
+                    .with("parallels", room.max(self.parallels.first().map(|one| one.height).unwrap_or_default())),
+            };
+            note.with("jaws", row.jaw_height).with("below", self.below).with("least", least).with("most", most)
         };
         let lowest = standing.next().ok_or_else(note)?;
         match self.room_beside(jaws, lowest.length) {

@@ -3,7 +3,7 @@
 
 use crate::document::Document;
 use crate::note::{Figure, Note};
-use crate::part::Face;
+use crate::part::{Face, Part};
 use crate::plan::{Clamping, FixturePlan, Plan, Stand, Vice};
 use crate::units::Micrometres;
 
@@ -44,7 +44,7 @@ fn on_table(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
     let lies = lang.say(&lies(stand));
     let held = match &plan.clamping {
         _ if stand.face == Face::Back => say!(lang, "setting-clamps-of-second", setup = stand.set_up).to_owned(),
-        Some(clamping) => clamps(clamping, lang),
+        Some(clamping) => clamps(clamping, &plan.part, lang),
         None => lang.word("plan-no-clamping").to_owned(),
     };
     // What stands under a part by the file is not ours to place.
@@ -83,7 +83,7 @@ pub(crate) fn in_vice(vice: &Vice, stand: &Stand, lang: Lang) -> String {
 }
 
 /// The force of the clamps, and where they press.
-fn clamps(clamping: &Clamping, lang: Lang) -> String {
+fn clamps(clamping: &Clamping, part: &Part, lang: Lang) -> String {
     let note = match clamping.side_force_n {
         Some(side) => Note::new("plan-largest-side-force").with("side", rounded(side.0, 0)),
         None => Note::new("plan-largest-force").with("distance", rounded(clamping.distance_mm.to_mm(), 1)),
@@ -92,7 +92,7 @@ fn clamps(clamping: &Clamping, lang: Lang) -> String {
         .with("hole", Figure::called(&clamping.hole))
         .with("torque", rounded(clamping.torque_n_m.0, 2))
         .with("force", rounded(clamping.force_n.0, 0));
-    let mut sentences = vec![clamps_of(clamping, lang), lang.say(&note)];
+    let mut sentences = vec![clamps_of(clamping, part, lang), lang.say(&note)];
     if clamping.screw_bears_n.0 < clamping.force_per_clamp_n.0 {
         sentences.push(weak_screw(clamping, lang));
     }
@@ -102,15 +102,22 @@ fn clamps(clamping: &Clamping, lang: Lang) -> String {
 /// The knee, the zeros and the first motion.
 fn place(stand: &Stand, lang: Lang) -> Vec<String> {
     let [x, y, z] = stand.zero_mm;
-    let [right, back] = stand.sides_mm;
+    let [along, across] = stand.sides_mm;
     let knee = stand.nose_to_table_mm.map(|nose| lang.say(&Note::new("plan-knee").with("nose", nose)));
     let frame = format!("G{}", stand.frame);
     let sides = Note::new("plan-zero-by-sides")
         .with("frame", frame.as_str())
-        .with("right", less(right))
-        .with("back", less(back))
+        .with("side", lang.word(if stand.touched.left { "plan-side-left" } else { "plan-side-right" }).to_owned())
+        .with("end", lang.word(if stand.touched.front { "plan-side-front" } else { "plan-side-back" }).to_owned())
+        .with("right", less_radius(along, stand.touched.left))
+        .with("back", less_radius(across, stand.touched.front))
         .with("x", x)
         .with("y", y);
+    let mut sides = vec![lang.say(&sides)];
+    // A blank is not as long as drawn: what both set-ups make must be counted from one face.
+    if stand.face == Face::Back {
+        sides.push(lang.word("plan-same-face").to_owned());
+    }
     let face = Note::new("plan-zero-by-face")
         .with("frame", frame.as_str())
         .with("tool", stand.reference_tool.map_or_else(String::new, |tool| format!(" T{tool}")))
@@ -125,7 +132,15 @@ fn place(stand: &Stand, lang: Lang) -> Vec<String> {
         }
         None => lang.say(&start),
     };
-    knee.into_iter().chain([lang.say(&sides), lang.say(&face), start]).collect()
+    knee.into_iter()
+        .chain([sides.join(" "), [lang.say(&face).as_str(), lang.word("plan-lengths-measured")].join(" "), start])
+        .collect()
+}
+
+/// What is taken away from what an arbor Ø d at a side shows: ` − 250 − d/2`, at a left or front side ` + d/2`.
+fn less_radius(length: Micrometres, low: bool) -> String {
+    let length = if length == Micrometres::ZERO { String::new() } else { less(length) };
+    format!("{length} {} d/2", if low { '+' } else { '−' })
 }
 
 /// A length taken away in a sum: ` − 250`, or ` + 250` where it lies on the other side of the zero.

@@ -1,5 +1,7 @@
 machining-cycle = cycle { $cycle }, { $ratio } diameters deep
 no-room-under-part = a tool comes out { $below } mm below the part, but the fixture is { $height } mm high: the tool would hit the table
+scant-room-under-part = a tool comes out { $below } mm below the part, and the fixture is { $height } mm high: less than { $room } mm are left over the table
+tool-beside-clamp = T{ $tool } works less than { $least } mm beside what stands at { $at }: move the clamp
 supports-assumed = no height of the fixture is given (fixture.height) and a tool comes out { $below } mm below the part: supports of { $height } mm are assumed
 change-over-part = the place of the tool change, X{ $x } Y{ $y }, is over the part
 ways-over-clamps = toolpaths cross the clamps at { $clamps } { $height } mm above the part; the height of the clamps is not known: give `height` of each under fixture.clamps

@@ -11,7 +11,7 @@ plan-route = 1. Route
 plan-tools = 2. Cutters and holders
 plan-conditions = 3. Cutting conditions
 plan-clamping = 4. Set-up and clamping
-plan-no-clamping = The plan sets no clamps.
+plan-no-clamping = The plan sets neither clamps nor a vice: a fixture of your own must hold the part.
 plan-corrections = 5. Tool-length offsets
 plan-time = 6. Time
 plan-findings = 7. Findings
@@ -101,7 +101,15 @@ plan-on-parallels = on parallels { $height } mm high and { $thickness } mm thick
 plan-on-ways = on the ways
 plan-vice-grips = The jaws grip { $grip } mm and end { $below } mm below the face; for hole { $hole } they press with { $force } N, and the vice gives { $gives } N.
 plan-knee = Knee: { $nose } mm from the table to the spindle nose with the ram up.
-plan-zero-by-sides = { $frame }: touch the right and the back side with an arbor Ø d and read xM, yM: X = xM{ $right } − d/2, Y = yM{ $back } − d/2; about X{ $x } Y{ $y }.
+plan-zero-by-sides = { $frame }: touch the { $side } and the { $end } side with an arbor Ø d and read xM, yM: X = xM{ $right }, Y = yM{ $back }; about X{ $x } Y{ $y }.
+plan-side-left = left
+plan-side-right = right
+plan-side-front = front
+plan-side-back = back
+plan-same-face = Along X this is the same face of the part as in set-up 1, now on the other side: the error of the length of the blank does not part the holes.
+plan-lengths-measured = These lengths are sums from catalogs: measure each assembly and key in the length found.
+plan-straps = Straps { $width } mm wide and { $length } mm long, outward over the nearest side; with their nuts no higher than { $height } mm over the face, tools go over them.
+plan-straps-lower = Straps with their nuts must be lower than { $most } mm over the face, the height at which tools go by the file.
 plan-zero-by-face = { $frame }: touch the face with the reference tool{ $tool } and read zM: Z = zM{ $face }; about Z{ $z } for the lengths of assemblies of this plan.
 plan-start = Start and tool change at X{ $x } Y{ $y } of the drawing, the ram up; from hole to hole { $level } mm over the face.
 plan-start-to-clamp = The nearest clamp is { $away } mm from there.

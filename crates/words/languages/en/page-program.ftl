@@ -28,6 +28,7 @@ encoding-call = { $text }: call of the subprogram
 setting-title = Setting of the machine: { $part }
 setting-stand = set-up { $setup }: the part on supports of { $supports } mm; { $nose } mm from the table to the spindle nose with the ram up
 setting-mark = * rests on a row of a table that nothing confirms; `technolog plan … --all-problems` says why
+setting-lengths = lengths H are sums from catalogs: measure each assembly and key in the length found
 setting-clamps-of-second = set-up { $setup }: the places of the clamps are to be chosen anew, the plan has those of the first set-up only
 setting-tool = T{ $place } H{ $corrector }: { $designation }, Ø{ $diameter }, length { $length } mm
 setting-length = Assembly length

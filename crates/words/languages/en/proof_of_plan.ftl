@@ -27,13 +27,14 @@ not-proven = the plan is not proven: { $why }
 ends-above-floor = over the flat floor or shoulder the last { $left } of { $depth } mm of Ø{ $diameter } are not finished: the tool stops above it so as not to run into it, a reamer or core drill by its lead, too
 lost-by-preference = the tables are preferred; it would be quicker by { $quicker } min
 tables-preferred = the tables are preferred: { $own } min; the best plan takes { $best } min and saves { $saves } min
-no-vice = no vice of the table takes the part either: { $why }
+no-vice = nothing holds the part: no vice of the table takes it either: { $why }
 no-vice-known = no vice is known
 vice-too-small = { $vice }: { $along } mm along jaws of { $jaws } mm, { $between } mm between jaws that open to { $opening } mm
 vice-too-weak = { $vice }: { $force } N are needed > { $gives } N that it gives
-vice-no-grip = { $vice }: no parallels leave jaws of { $jaws } mm a grip between { $least } and { $most } mm where a tool comes out { $below } mm below the part
+vice-no-grip = { $vice }: of a part { $thickness } mm thick the jaws of { $jaws } mm may grip { $most } mm at most, { $below_face } mm below its face, and must grip { $least } mm at least; parallels of { $parallels } mm or more under it (a tool comes out { $below } mm below) do not leave that
+vice-not-that-high = { $vice }: { $height } mm under the part by the file stands against it: its ways are { $ways } mm high, and no parallels make up the rest with a grip of { $least } to { $most } mm in jaws of { $jaws } mm; a tool comes out { $below } mm below
 vice-parallels-in-the-way = { $vice }: { $beside } mm from a jaw to the nearest hole < { $thinnest } mm, the thinnest parallels: the tool would cut them
-no-place-for-clamps = none of the places that are tried for two or four straps on the face would hold the part: { $why }; give places under `clamps`, or take a vice or a special fixture, to hold against M = { $torque } N·m
+no-place-for-clamps = none of the places that are tried for two, four or six straps on the face would hold the part: { $why }; give places under `clamps`, cut lighter, or take a vice or a special fixture, to hold against M = { $torque } N·m
 proof-too-hard = { $operation }: HB { $hardness } > HB { $limit }, where tools of high-speed steel end; carbide is needed, and the catalogs have no such tool here
 proof-too-fast = { $operation }: speed { $value } m/min > { $percent } % of the upper end of practice, { $usual } m/min
 proof-twists = { $operation }: torque { $value } N·m > { $limit } N·m that the drill of Ø{ $drill } bears

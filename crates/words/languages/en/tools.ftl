@@ -44,6 +44,9 @@ friction = friction f = { $value }
 least-screw = no thinner screw than M{ $value } is set under a strap
 screw = { $needed } is needed, { $taken } taken: bears { $bears } N
 no-screw = no screw bears { $force } N per clamp ({ $clamps })
+no-screw-for-slot = T-slots of { $slot } mm take screw { $screw } at most: { $bears } N < { $force } N on each clamp ({ $clamps }); cut lighter, or take a fixture of your own
+strap-near-hole = the strap of screw { $screw }, { $width } mm wide, leaves the tools of hole { $hole } less than { $least } mm beside it
+strap = strap of screw { $screw }: { $width } mm wide, { $height } mm over the face with its nut
 screw-too-weak = screw { $screw } bears { $bears } N, and each clamp takes { $force } N; { $needed } is needed
 clamp-outlines-overlap = the clamps at { $one } and { $other } overlap by their outlines; put them apart, or correct `outline`
 clamps-overlap = two clamps { $distance } mm apart: their feet overlap, each takes { $least } mm; give their `outline` if they are narrower

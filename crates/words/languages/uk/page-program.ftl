@@ -28,6 +28,7 @@ encoding-call = { $text }: виклик підпрограми
 setting-title = Налагодження верстата: { $part }
 setting-stand = установ { $setup }: деталь на опорах { $supports } мм; від стола до торця шпинделя за верхнього положення повзуна { $nose } мм
 setting-mark = * – спирається на рядок таблиці, якого ніщо не підтверджує; чому – каже `technolog plan … --all-problems`
+setting-lengths = довжини H – суми з каталогів: кожен комплект виміряти й набрати виміряну довжину
 setting-clamps-of-second = установ { $setup }: місця притискачів вибрати наново, у плані вони лише для першого установа
 setting-tool = T{ $place } H{ $corrector }: { $designation }, Ø{ $diameter }, довжина { $length } мм
 setting-length = Довжина комплекту

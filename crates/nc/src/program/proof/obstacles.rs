@@ -24,8 +24,10 @@ pub(super) fn all(made: &ObservedCuts, tools: &Tools, input: &ProofInput<'_>, fi
             let low = motion.from[2].min(motion.to[2]);
             let hit = |one: &&Standing| low < face + one.height && hits(motion, one, radius);
             if let Some(one) = setup.standing.iter().find(hit) {
+                // Whoever wrote the program may clamp otherwise than the plan proposes.
+                let severity = if one.proposed { Severity::Doubtful } else { Severity::Error };
                 findings.push(
-                    ProgramFinding::new(Code::ThroughObstacle, Severity::Error, motion.block)
+                    ProgramFinding::new(Code::ThroughObstacle, severity, motion.block)
                         .with(Name::At, [one.at.x, one.at.y])
                         .with(Name::To, [motion.to[0], motion.to[1]])
                         .with(Name::Made, low)
@@ -50,8 +52,9 @@ fn holder(
 ) -> Option<ProgramFinding> {
     let face = input.plan.part.datum.top;
     let low = motion.from[2].min(motion.to[2]);
-    let say = |code, body: &Body, at: [Micrometres; 2], needed: Micrometres| {
-        ProgramFinding::new(code, if body.known { Severity::Error } else { Severity::Wrong }, motion.block)
+    let by_thickness = |body: &Body| if body.known { Severity::Error } else { Severity::Wrong };
+    let say = |code, severity, body: &Body, at: [Micrometres; 2], needed: Micrometres| {
+        ProgramFinding::new(code, severity, motion.block)
             .with(Name::Tool, envelope.tool)
             .with(Name::Whose, body.kind.name().to_owned())
             .with(Name::Own, envelope.holder.clone())
@@ -64,12 +67,14 @@ fn holder(
         let hit = |one: &&Standing| low + body.from < face + one.height && hits(motion, one, body.diameter.half());
         if let Some(one) = standing.iter().find(hit) {
             let code = if body.known { Code::HolderThroughObstacle } else { Code::HolderUnknown };
-            return Some(say(code, body, [one.at.x, one.at.y], face + one.height));
+            // A strap that the plan proposes may be chosen lower than its catalog has it.
+            let severity = if one.proposed { Severity::Doubtful } else { by_thickness(body) };
+            return Some(say(code, severity, body, [one.at.x, one.at.y], face + one.height));
         }
     }
     // An opening wider than the holder lets it in.
     let body = envelope.bodies.iter().find(|body| body.kind == BodyKind::Holder && low + body.from < face)?;
-    (widest(stay, input) <= body.diameter).then(|| say(Code::HolderIntoPart, body, stay.at, face))
+    (widest(stay, input) <= body.diameter).then(|| say(Code::HolderIntoPart, by_thickness(body), body, stay.at, face))
 }
 
 /// The widest that the hole at a point is made by the plan.
