@@ -210,7 +210,7 @@ fn clamped(
         slot.zip(strap).is_none_or(|(slot, strap)| strap.slot <= slot)
     };
     let strong = screws.iter().filter(thick).filter(fits).find(|screw| screw.force_80.0 >= each.0);
-    let strongest = screws.iter().filter(fits).next_back();
+    let strongest = screws.iter().rfind(fits);
     // The safety factor is printed to one decimal: a screw that lacks less than that leaves a factor that rounds to it.
     let short = |bears: Newtons| {
         if bears.0 * k < each.0 * (k - FACTOR_ROUNDING) { Severity::Error } else { Severity::Doubtful }

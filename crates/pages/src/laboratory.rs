@@ -17,6 +17,7 @@ use crate::program::Setting;
 use crate::units::Micrometres;
 
 use super::backplot::{Frame, backplot};
+use super::doubts::unconfirmed;
 use super::encoding::EncodingSheet;
 use super::sheet::{self, exactly, mm, rounded, route};
 use super::words::say;
@@ -328,9 +329,10 @@ fn conclusions(page: &mut Document, own: &Sources<'_>, title: &TitleBlock, lang:
     if let Some((hole, time)) = slowest(plan) {
         page.paragraph(say!(lang, "lab-slowest", hole = hole.name.as_str(), time = exactly(time, 2)));
     }
-    let (listed, counted) = Doubts::Counted.split(plan.findings.iter());
+    let (listed, _) = Doubts::Counted.split(plan.findings.iter());
     listed.into_iter().for_each(|finding| sheet::finding(page, finding, lang));
-    if let Some(count) = counted.and_then(|counted| counted.figure_text("count")) {
+    let count = unconfirmed(plan.findings.iter()).len();
+    if count > 0 {
         page.paragraph(say!(lang, "lab-unconfirmed", count = count));
     }
     if !plan.has_errors() && own.warning.is_none() {

@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 use crate::error::KnowledgeError;
 use crate::job;
 use crate::machine::{Machine, Rapid};
-use crate::note::{Finding, Severity};
+use crate::note::{ActedOn, Finding, Severity};
 use crate::part::{Face, Part, Point};
 use crate::plan::{HolePlan, Plan, Stop, ToolVisit};
 use crate::setup;
@@ -80,21 +80,19 @@ type Speeds = Vec<u64>;
 ///
 /// # Errors
 /// The knowledge base has no answer.
-#[expect(clippy::disallowed_methods, reason = "findings of a job have no type of their own")]
 pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let job = job::make(plan, shop)?;
     job::timed(plan, &job, shop)?;
     plan.setup.stands = setup::stands(plan, &job, &shop.machine);
     // What a program would be refused for is told of the plan, too. Clamps whose height is not known make no plan wrong: its
     // program asks for them. How low the clamps of its own must be, who sets it up must know.
-    let asked = |finding: &Finding| finding.note.code() == "ways-over-clamps";
     let told = job.findings.into_iter().map(|finding| {
-        let severity = if asked(&finding) { Severity::Doubtful } else { finding.severity };
+        let severity = if finding.is(ActedOn::ClampsUnmeasured) { Severity::Doubtful } else { finding.severity };
         Finding { severity, ..finding }
     });
-    let own = |finding: &Finding| finding.note.code() == "ways-over-proposed-clamps";
     let hinders = |finding: &Finding| {
-        (finding.severity <= Severity::Doubtful || own(finding)) && !plan.findings.contains(finding)
+        (finding.severity <= Severity::Doubtful || finding.is(ActedOn::ProposedClamps))
+            && !plan.findings.contains(finding)
     };
     let hindered: Vec<Finding> = told.filter(hinders).collect();
     plan.findings.extend(hindered);

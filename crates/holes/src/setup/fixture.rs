@@ -2,7 +2,7 @@
 //! to 1.9.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note};
+use crate::note::{ActedOn, Because, Note};
 use crate::plan::{FixturePlan, HeldBy, Plan};
 use crate::shop::Shop;
 use crate::tables::rules::{FixtureKeyingFor, FixtureKindFor, PartLocatingFor};
@@ -11,7 +11,6 @@ use crate::tables::rules::{FixtureKeyingFor, FixtureKindFor, PartLocatingFor};
 ///
 /// # Errors
 /// The knowledge base has no answer.
-#[expect(clippy::disallowed_methods, reason = "a finding of the proof has no type once it stands in a plan")]
 pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<Option<FixturePlan>, KnowledgeError> {
     if plan.setup.stands.is_empty() {
         return Ok(None);
@@ -21,7 +20,7 @@ pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<Option<FixturePlan>, Know
         (None, Some(_)) => HeldBy::Straps,
         (None, None) => HeldBy::Nothing,
     };
-    let stiff = !plan.findings.iter().any(|finding| finding.note.code() == "proof-plate-springs");
+    let stiff = !plan.findings.iter().any(|finding| finding.is(ActedOn::PlateSprings));
     let ask = FixtureKindFor { held, stiff, family: false };
     let answer = shop.knowledge.ask(&ask)?;
     let kind = answer.need(held.name())?.kind;

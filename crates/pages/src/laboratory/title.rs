@@ -176,7 +176,7 @@ mod tests {
     fn every_mistake_of_a_title_block_is_told_at_its_place() {
         let text = "author: Ковальчук\nparts: [1, 17, x]\ngrop: МТ-31\n";
         let told = read_title("report.yaml", text).unwrap_err();
-        let lines: Vec<u32> = told.iter().filter_map(|one| one.place.as_ref()).map(|place| place.line as u32).collect();
+        let lines: Vec<u32> = told.iter().filter_map(|one| one.place.as_ref()).map(|place| place.line).collect();
         assert_eq!(lines, [2, 2, 3], "{told:?}");
     }
 
