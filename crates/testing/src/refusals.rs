@@ -57,7 +57,7 @@ pub fn verdict(hole: &GridHole) -> Verdict {
     let own = &plan.holes[0];
     if own.route.is_none() {
         let of_limit = |limit: &&str| errors.iter().find(|note| note.code() == *limit);
-        let why = LIMITS.iter().find_map(|limit| of_limit(limit)).or(errors.first());
+        let why = LIMITS.iter().find_map(of_limit).or(errors.first());
         let is_near = |code: &str| code.starts_with("nearest-");
         let nearest = plan.findings.iter().find(|finding| is_near(finding.note.code()));
         return Verdict::Refused {
