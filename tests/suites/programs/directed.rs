@@ -344,6 +344,10 @@ const TOLD: [(&[&str], &str); 7] = [
         "the same cut in other steps",
     ),
     (&["block-number-gap"], "said beside what is wrong"),
+    (
+        &["holder-unknown", "holder-through-obstacle"],
+        "of straps of the plan's own, which may be lower; of others it is grave",
+    ),
     (&["less-overrun", "ends-elsewhere", "turns-at-end", "coolant-at-end"], "the hole is through; the quill is up"),
 ];
 
