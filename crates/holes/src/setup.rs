@@ -280,7 +280,7 @@ fn clamped(
     Ok(Some((clamping, faults)))
 }
 
-/// A hole whose tools come nearer to a strap than the margin of the convention.
+/// Two straps that overlap, or a hole whose tools come nearer to one than the margin of the convention.
 fn beside_strap(
     part: &Part,
     holes: &[HolePlan],
@@ -290,6 +290,14 @@ fn beside_strap(
     let Some(strap) = clamping.strap else { return Ok(None) };
     let side = Micrometres::from_mm_rounded(convention(Convention::ObstacleSide, shop.knowledge)?.0);
     let straps: Vec<Outline> = clamping.clamps.iter().map(|at| strap.standing(*at, part).outline).collect();
+    for (at, one) in straps.iter().enumerate() {
+        if let Some(other) = (at + 1..straps.len()).find(|other| one.overlaps(&straps[*other])) {
+            let shown = |index: usize| clamping.clamps.get(index).map(|at| format!("[{}; {}]", at.x, at.y));
+            let note = Note::new("clamp-outlines-overlap").with("one", shown(at).unwrap_or_default());
+            let note = note.with("other", shown(other).unwrap_or_default());
+            return Ok(Some(Finding::of_part(Severity::Error, note)));
+        }
+    }
     let near = holes.iter().zip(&part.holes).find(|(plan, hole)| {
         let here = plan.transitions.iter().filter(|one| !one.elsewhere);
         let widest = here.map(|one| one.diameter_mm.max(one.tool.diameter_mm)).max().unwrap_or_default();

@@ -218,6 +218,16 @@ fn screws_fit_the_slots_of_the_table() {
         let Some(clamping) = &plan.clamping else { panic!("{diameter}: {:?}", plan.findings) };
         assert!(["M10", "M12", "M16"].contains(&clamping.screw.as_str()), "{diameter}: {clamping:?}");
         assert!(clamping.screw_bears_n.0 >= clamping.force_per_clamp_n.0);
+        // Straps stand side by side, not on one another.
+        let strap = clamping.strap.unwrap();
+        for (at, one) in clamping.clamps.iter().enumerate() {
+            let outline = strap.standing(*one, &plan.part).outline;
+            let rest = &clamping.clamps[at + 1..];
+            assert!(
+                !rest.iter().any(|two| outline.overlaps(&strap.standing(*two, &plan.part).outline)),
+                "{clamping:?}"
+            );
+        }
     }
 }
 

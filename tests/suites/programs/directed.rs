@@ -339,7 +339,7 @@ fn a_tap_without_m29_is_told_as_that() {
 }
 
 /// What is told of words altered so that a motion changes, and does no harm: the exit code stays 0.
-const TOLD: [(&[&str], &str); 7] = [
+const TOLD: [(&[&str], &str); 8] = [
     (&["idle-point", "idle-height", "other-order", "travel-high", "travel-low"], "a way over the part"),
     (&["air-at-feed", "travel-at-feed", "out-at-feed", "out-too-high", "step-return"], "slower than need be"),
     (&["begins-higher", "begins-lower", "out-elsewhere", "out-too-low"], "over the metal still"),
@@ -349,6 +349,10 @@ const TOLD: [(&[&str], &str); 7] = [
         "the same cut in other steps",
     ),
     (&["block-number-gap"], "said beside what is wrong"),
+    (
+        &["holder-unknown", "holder-through-obstacle"],
+        "of straps of the plan's own, which may be lower; of others it is grave",
+    ),
     (&["less-overrun", "ends-elsewhere", "turns-at-end", "coolant-at-end"], "the hole is through; the quill is up"),
 ];
 

@@ -282,7 +282,7 @@ const APPENDIX: &[(&str, &str, Option<u32>, &str)] = &[
     // At Z15 it goes lower than the plan does over its own straps.
     ("note", "travel-low", Some(42), "X-200 Y0"),
     ("note", "travel-low", Some(45), "1"),
-    ("note", "travel-low", Some(55), "1"),
+    ("note", "travel-low", Some(55), "2"),
     ("note", "travel-low", Some(65), "1"),
     ("note", "travel-low", Some(70), "1"),
     ("note", "travel-low", Some(125), "X-200 Y100"),
@@ -290,7 +290,6 @@ const APPENDIX: &[(&str, &str, Option<u32>, &str)] = &[
     ("note", "travel-low", Some(295), "1"),
     ("note", "travel-low", Some(305), "X175 Y-50"),
     ("note", "travel-low", Some(380), "X-50 Y50"),
-    ("note", "travel-low", Some(1), "X200 Y-100"),
     ("note", "idle-height", Some(35), "19"),
     ("note", "air-at-feed", Some(35), "2"),
     ("note", "other-order", Some(130), ""),

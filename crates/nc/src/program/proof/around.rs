@@ -109,10 +109,12 @@ impl<'t> Around<'_, 't> {
                 // The plan goes high over straps that it proposes itself; a motion through one is told as that.
                 let setup = self.input.job.setups.get(stay.setup);
                 let of_straps = setup.is_some_and(|setup| setup.standing.iter().any(|one| one.proposed));
-                let severity = match low <= top {
-                    true => Severity::Error,
-                    false if of_straps => Severity::Note,
-                    false => Severity::Doubtful,
+                let severity = if low <= top {
+                    Severity::Error
+                } else if of_straps {
+                    Severity::Note
+                } else {
+                    Severity::Doubtful
                 };
                 findings.push(say(Code::TravelLow, severity, low));
             } else if high > needed + TOLERANCE {
