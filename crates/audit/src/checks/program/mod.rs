@@ -142,12 +142,13 @@ fn proven(
         own_correctors,
     };
     let mut findings = prove(&run.steps, &input).findings;
-    // A plan as stated says nothing of coolant.
-    findings.retain(|finding| {
-        !matches!(
-            finding.code,
-            Code::CoolantMissing | Code::CoolantSuperfluous | Code::CoolantAtChange | Code::CoolantAtEnd
-        )
+    // A plan as stated says nothing of coolant, and holds the part by clamps of its own, not by those that we would propose.
+    findings.retain(|finding| match finding.code {
+        Code::CoolantMissing | Code::CoolantSuperfluous | Code::CoolantAtChange | Code::CoolantAtEnd => false,
+        Code::ThroughObstacle | Code::HolderThroughObstacle | Code::HolderUnknown => {
+            finding.severity < Severity::Doubtful
+        }
+        _ => true,
     });
     Ok(findings)
 }
