@@ -252,8 +252,8 @@ fn a_thread_by_a_tool_that_cuts_none_is_told() {
     let found = new_in_fanuc(&operation, &text, &mute);
     assert!(found.contains(&("turned-no-threading-tool", Severity::Wrong)), "{found:?}");
     assert_eq!(called("T0403\n"), [("turned-offset-of-other", Severity::Wrong)]);
-    // A second offset of its own must be measured; our plan has none.
-    assert_eq!(called("T0414\n"), [("turned-offset-unknown", Severity::Doubtful)]);
+    // A second offset of its own, which the plan does not have.
+    assert_eq!(called("T0414\n"), [("turned-offset-unknown", Severity::Wrong)]);
     // A wrong lead is one whatever tool cuts it.
     let unnamed = text.replace(remark, "(thread)");
     let found = new_in_fanuc(&operation, &unnamed, &unnamed.replace("F1.5", "F1.25"));
@@ -263,6 +263,17 @@ fn a_thread_by_a_tool_that_cuts_none_is_told() {
     let stopped = text.replace(&format!("{remark}\nT0404"), &format!("M0\n{remark}\nT0101"));
     let found = new_in_fanuc(&operation, &text, &stopped);
     assert!(found.iter().all(|one| !["turned-no-threading-tool", "turned-no-stop"].contains(&one.0)), "{found:?}");
+}
+
+/// The drive lags by turns that grow with the speed: passes at another one are cut beside the groove.
+#[test]
+fn passes_of_a_thread_at_other_speeds_are_told() {
+    let (operation, text) = threaded();
+    let (first, rest) = text.split_once("G32 ").unwrap();
+    let slower = |words: &str| format!("{first}G32 {}", rest.replacen("G32 ", &format!("{words}\nG32 "), 1));
+    let speeds = ("turned-thread-speeds", Severity::Wrong);
+    assert_eq!(new_in_fanuc(&operation, &text, &slower("S200")), [speeds]);
+    assert!(new_in_fanuc(&operation, &text, &slower("G50 S2000\nG96 S40")).contains(&speeds));
 }
 
 /// The finishing pass of the cone as a person writes it, along the drawing with G42: a control with the tool of the plan makes the way

@@ -50,7 +50,7 @@ pub(super) fn passes(work: &SetUpWork, run: &LatheRun, knowledge: &Knowledge) ->
         if let Some((least, most, line)) = speeds.filter(|(least, most, _)| most.0 - least.0 >= 1.0) {
             let note = Note::new("turned-thread-speeds").with("least", round_to(least.0, 0));
             let note = note.with("most", round_to(most.0, 0));
-            faults.push(fault("turned-thread-speeds", Severity::Doubtful, note, line));
+            faults.push(fault("turned-thread-speeds", Severity::Wrong, note, line));
         }
     }
     Ok(faults)
