@@ -66,6 +66,10 @@ vocabulary! {
         Feed = "feed",
         /// The depth of cut.
         Depth = "depth",
+        /// The depth of a pass of a thread.
+        ThreadPass = "thread-pass",
+        /// That of a pass that takes the whole depth of the thread.
+        WholeThread = "whole-thread",
     }
 
     /// How a load compares with the formula.

@@ -252,8 +252,8 @@ fn a_thread_by_a_tool_that_cuts_none_is_told() {
     let found = new_in_fanuc(&operation, &text, &mute);
     assert!(found.contains(&("turned-no-threading-tool", Severity::Wrong)), "{found:?}");
     assert_eq!(called("T0403\n"), [("turned-offset-of-other", Severity::Wrong)]);
-    // A second offset of its own must be measured; our plan has none.
-    assert_eq!(called("T0414\n"), [("turned-offset-unknown", Severity::Doubtful)]);
+    // A second offset of its own, which the plan does not have.
+    assert_eq!(called("T0414\n"), [("turned-offset-unknown", Severity::Wrong)]);
     // A wrong lead is one whatever tool cuts it.
     let unnamed = text.replace(remark, "(thread)");
     let found = new_in_fanuc(&operation, &unnamed, &unnamed.replace("F1.5", "F1.25"));
@@ -263,6 +263,40 @@ fn a_thread_by_a_tool_that_cuts_none_is_told() {
     let stopped = text.replace(&format!("{remark}\nT0404"), &format!("M0\n{remark}\nT0101"));
     let found = new_in_fanuc(&operation, &text, &stopped);
     assert!(found.iter().all(|one| !["turned-no-threading-tool", "turned-no-stop"].contains(&one.0)), "{found:?}");
+}
+
+/// The drive lags by turns that grow with the speed: passes at another one are cut beside the groove.
+#[test]
+fn passes_of_a_thread_at_other_speeds_are_told() {
+    let (operation, text) = threaded();
+    let (first, rest) = text.split_once("G32 ").unwrap();
+    let slower = |words: &str| format!("{first}G32 {}", rest.replacen("G32 ", &format!("{words}\nG32 "), 1));
+    let speeds = ("turned-thread-speeds", Severity::Wrong);
+    assert_eq!(new_in_fanuc(&operation, &text, &slower("S200")), [speeds]);
+    assert!(new_in_fanuc(&operation, &text, &slower("G50 S2000\nG96 S40")).contains(&speeds));
+}
+
+/// M24x1.5 is 0.92 deep (ISO 68-1, 0.613 P), which Mitsubishi cuts in 6 passes: whole at once it breaks the point, by a cycle, too.
+/// Of the first pass makers take 0.5 at the most.
+#[test]
+fn a_thread_that_is_cut_too_deep_at_once_is_told() {
+    let (operation, text) = threaded();
+    let (before, _) = text.split_once("\nG32 ").unwrap();
+    let (head, first) = before.rsplit_once('\n').unwrap();
+    let (all, _) = text.rsplit_once("\nG32 ").unwrap();
+    let last: f64 = all.rsplit_once("\nX").unwrap().1.parse().unwrap();
+    let (whole, own) = (0.613 * 1.5, &text);
+    let begun = |depth: f64| {
+        let text =
+            text.replacen(&format!("{head}\n{first}\n"), &format!("{head}\nX{:.3}\n", last + 2.0 * (whole - depth)), 1);
+        new_in_fanuc(&operation, own, &text)
+    };
+    assert_eq!(begun(0.45), []);
+    assert_eq!(begun(0.7), [("turned-thread-pass", Severity::Doubtful)]);
+    assert_eq!(begun(whole), [("turned-thread-pass", Severity::Wrong)]);
+    let cycle = format!("{head}\nG76 P010060 Q50 R0\nG76 X{last:.3} Z-30.9735 P920 Q2000 F1.5\n{first}\n");
+    let found = new_in_fanuc(&operation, &text, &text.replacen(&format!("{head}\n{first}\n"), &cycle, 1));
+    assert!(found.contains(&("turned-thread-pass", Severity::Wrong)), "{found:?}");
 }
 
 /// The finishing pass of the cone as a person writes it, along the drawing with G42: a control with the tool of the plan makes the way

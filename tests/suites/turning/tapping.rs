@@ -256,6 +256,37 @@ fn a_spoilt_tapping_program_is_found_out() {
     assert!(codes.contains(&"swept-tap-blocked"), "{codes:?}");
 }
 
+/// A tap that is drawn out of its thread while the spindle turns on tears it out, in step or not; turned backwards it leaves it whole,
+/// and so it does in the cycles of our own programs.
+#[test]
+fn a_tap_that_is_drawn_out_without_reversing_is_told() {
+    let operation = planned("tapped-blind");
+    let (fanuc, sinumerik) =
+        ("M29 S358\nG84 Z-25.25 F1.75\nG80\n", "CYCLE84(5.85, 4.85, 1, -25.25, , , 5, , 1.75, 0, 358,358, 1)\n");
+    for (control, reader, cycle, enter, out) in [
+        ("linuxcnc", "linuxcnc-lathe", "G33.1 Z-25.25 K1.75\n", "G33 Z-25.25 K1.75\n", "G33 Z5.85 K1.75\n"),
+        ("linuxcnc", "linuxcnc-lathe", "G33.1 Z-25.25 K1.75\n", "G1 Z-25.25 F1.75\n", "G1 Z5.85\n"),
+        ("fanuc", "fanuc-lathe", fanuc, "G97 S358 M3\nG32 Z-25.25 F1.75\n", "G32 Z5.85 F1.75\n"),
+        ("sinumerik", "sinumerik", sinumerik, "G97 S358 M3\nG1 Z-25.25 F1.75\n", "G1 Z5.85\n"),
+    ] {
+        let written = programs(&operation, control, Form::Motions, None, &KNOWLEDGE).unwrap();
+        let good = written[0].files.as_ref().unwrap()[0].text.clone();
+        let language = LatheLanguage::read(reader, &KNOWLEDGE).unwrap();
+        let told = |text: &str| {
+            let run = read(text, &language, &[] as &[Subprogram<'_>]);
+            let faults = compare_with_part(&operation, 1, text, &run, &KNOWLEDGE).unwrap();
+            assert!(faults.iter().any(|fault| fault.code == "turned-held"), "{control} {faults:?}");
+            let grave = faults.into_iter().filter(|fault| fault.severity <= Severity::Wrong);
+            grave.map(|fault| fault.code).collect::<Vec<_>>()
+        };
+        assert!(good.contains(cycle), "{good}");
+        assert_eq!(told(&good), [""; 0], "{control}");
+        for (between, codes) in [("", vec!["turned-tap-torn-out"]), ("M4\n", vec![])] {
+            assert_eq!(told(&good.replace(cycle, &format!("{enter}{between}{out}"))), codes, "{control} {between}");
+        }
+    }
+}
+
 /// The setting sheet has the thread with the limits of its pitch diameter, and its tap on the axis.
 #[test]
 fn a_tap_is_on_the_setting_sheet() {

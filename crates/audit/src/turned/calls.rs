@@ -185,8 +185,8 @@ fn has_edge(block: &str, number: u32) -> bool {
 }
 
 /// Calls with the offset of another tool: the tool stands at its place in our turret, and its offset is that of another one; wrong
-/// where the program itself calls that one. An offset that no tool of the plan has, and a D, which controls number for each place, that no tool there has, may be a second one of
-/// its own: then somebody must have measured it.
+/// where the program itself calls that one. An offset that no tool of the plan has is wrong, as is a D, which controls number for each
+/// place, that no tool there has: nothing says where the tool then is along Z.
 fn wrong_offsets(operation: &Operation, work: &SetUpWork, lines: &[String], tools: &[CalledTool]) -> Vec<Fault> {
     let stations = stations(operation);
     let wrong = |tool: &CalledTool| {
@@ -201,7 +201,7 @@ fn wrong_offsets(operation: &Operation, work: &SetUpWork, lines: &[String], tool
             return None;
         }
         let Some(other) = stations.iter().find(|one| is_of(one)) else {
-            return Some(("turned-offset-unknown", Severity::Doubtful));
+            return Some(("turned-offset-unknown", Severity::Wrong));
         };
         let is_called = |tool: &CalledTool| {
             is_seated(other, tool.called) && work.jobs.get(tool.job).is_some_and(|job| other.is_of(job))

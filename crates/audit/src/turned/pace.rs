@@ -71,6 +71,9 @@ pub(super) fn paced(
         if let Some(motion) = cuts.iter().find(backwards).filter(|_| is_right_hand(&job.tool.body)) {
             tell("turned-rotation", Severity::Wrong, motion.line, Note::new("turned-rotation"));
         }
+        if let Some(line) = torn_out(&cuts).filter(|_| is_tap) {
+            tell("turned-tap-torn-out", Severity::Wrong, line, Note::new("turned-tap-torn-out"));
+        }
         let worst = |share: &dyn Fn(&LatheMotion) -> Option<f64>| {
             let each = cuts.iter().filter_map(|motion| Some((share(motion)?, motion.line)));
             each.max_by(|a, b| a.0.total_cmp(&b.0))
@@ -171,6 +174,20 @@ fn force_by_feed<'k>(material: &Material<'k>, knowledge: &'k Knowledge) -> Resul
     let question = |material_group| BoringForceFor { material_group, tool_material: ToolMaterial::Carbide };
     let found = Refusal::split(figures::ask(question, &Turned(material, knowledge)))?;
     Ok(found.ok().map(|figures| figures.row.y))
+}
+
+/// The line where a tap goes out of the part while the spindle turns as it did on the way in, or stands.
+fn torn_out(cuts: &[&LatheMotion]) -> Option<u32> {
+    let mut inwards = None;
+    for motion in cuts {
+        let (Some(from), Some(to)) = (motion.from.z_mm, motion.to.z_mm) else { continue };
+        if to < from {
+            inwards = Some(motion.modes.turning);
+        } else if to > from && from < 0.0 && inwards.is_some_and(|inwards| motion.modes.turning != inwards.reversed()) {
+            return Some(motion.line);
+        }
+    }
+    None
 }
 
 /// Whether a tool cuts only while the spindle turns with M3: what works on the axis, and a right-hand insert, which leads

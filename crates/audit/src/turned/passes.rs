@@ -1,26 +1,41 @@
-//! Passes of threads: whether the drive has reached the pitch where the thread begins, and whether the spindle keeps its speed.
+//! Passes of threads: whether the drive has reached the pitch where the thread begins, whether the spindle keeps its speed,
+//! and how deep they cut at once.
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Note, Severity};
 use crate::program::Fault;
-use crate::program::lathe::{LatheAct, LatheMotion, LatheRun};
-use crate::tables::turning::jobs::{JobLimit, JobLimits};
+use crate::program::lathe::{LatheAct, LatheMotion, LathePoint, LatheRun};
+use crate::tables::audit::{AuditLathePaceFor, PaceFigure};
+use crate::tables::turning::jobs::{JobLimit, JobLimits, ThreadingFirstPassFor};
 use crate::turning::jobs::ThreadCut;
-use crate::turning::operation::SetUpWork;
+use crate::turning::operation::{Operation, SetUpWork};
 use crate::units::{RevsPerMinute, round_to};
+use technolog_core::material::Material;
 
 use super::fault;
 use super::lathe::turns;
 
+/// From which share of the depth of a thread on a pass is the whole of it: what is left is for finishing passes. Ours.
+const WHOLE: f64 = 0.9;
+
+/// How far a depth may be off by the decimals of a program, mm: a thousandth of a diameter, at both ends.
+const ROUNDING_MM: f64 = 0.001;
+
 /// What is doubtful about the passes of each thread, each once, at the worst of them.
 ///
 /// The run-in that a pass needs is a·L·R/k: the lead L, mm, and the spindle speed R, 1/min, with `thread-run-in` and
-/// `thread-run-out` of `turning-job-limits`.
+/// `thread-run-out` of `turning-job-limits`. How deep a pass may be at once is by `audit-lathe-pace`.
 ///
 /// # Errors
 /// The knowledge base lacks a row.
-pub(super) fn passes(work: &SetUpWork, run: &LatheRun, knowledge: &Knowledge) -> Result<Vec<Fault>, KnowledgeError> {
+pub(super) fn passes(
+    operation: &Operation,
+    work: &SetUpWork,
+    run: &LatheRun,
+    knowledge: &Knowledge,
+) -> Result<Vec<Fault>, KnowledgeError> {
+    let material_group = Material::find(knowledge, &operation.workpiece.material)?.group;
     let ratio = |name: JobLimit| -> Result<f64, KnowledgeError> {
         let row = knowledge.need(name.name(), |row: &JobLimits<'_>| row.name == name)?;
         Ok(row.ratio.unwrap_or_default())
@@ -50,28 +65,64 @@ pub(super) fn passes(work: &SetUpWork, run: &LatheRun, knowledge: &Knowledge) ->
         if let Some((least, most, line)) = speeds.filter(|(least, most, _)| most.0 - least.0 >= 1.0) {
             let note = Note::new("turned-thread-speeds").with("least", round_to(least.0, 0));
             let note = note.with("most", round_to(most.0, 0));
-            faults.push(fault("turned-thread-speeds", Severity::Doubtful, note, line));
+            faults.push(fault("turned-thread-speeds", Severity::Wrong, note, line));
+        }
+        let asked = knowledge.ask(&ThreadingFirstPassFor { material_group })?;
+        let most = asked.need(material_group)?.depth.to_mm();
+        if let Some((depth, line)) = deepest_step(run, cut) {
+            let whole = (cut.root_radius_mm.to_mm() - cut.crest_radius_mm.to_mm()).abs();
+            let figure = if depth < WHOLE * whole { PaceFigure::ThreadPass } else { PaceFigure::WholeThread };
+            let share = ((depth - ROUNDING_MM) / most).max(0.0);
+            let severity = knowledge.ask(&AuditLathePaceFor { figure, share })?.need("share")?.severity;
+            if severity != Severity::Note {
+                let note = Note::new("turned-thread-pass").with("depth", round_to(depth, 2));
+                let note = note.with("whole", round_to(whole, 2)).with("most", round_to(most, 2));
+                faults.push(fault("turned-thread-pass", severity, note, line));
+            }
         }
     }
     Ok(faults)
 }
 
+/// How much deeper than all passes before it, from the crests on, the worst pass of a thread goes, radial, mm, and its line.
+fn deepest_step(run: &LatheRun, cut: &ThreadCut) -> Option<(f64, u32)> {
+    let (mut known, mut worst) = (0.0_f64, None::<(f64, u32)>);
+    for motion in run.motions.iter().filter(|motion| matches!(motion.act, LatheAct::Thread { .. })) {
+        let Some((from, to)) = motion.from.point().zip(motion.to.point()).filter(|ends| crosses(cut, *ends)) else {
+            continue;
+        };
+        let depth = depth_of(cut, from.radius_mm).max(depth_of(cut, to.radius_mm));
+        let step = depth - known;
+        known = known.max(depth);
+        if step > 0.0 && worst.is_none_or(|(most, _)| step > most) {
+            worst = Some((step, motion.line));
+        }
+    }
+    worst
+}
+
+/// Whether a motion towards the chuck goes through some of a thread.
+fn crosses(cut: &ThreadCut, (from, to): (LathePoint, LathePoint)) -> bool {
+    from.z_mm > -cut.ends_z_mm.to_mm() && to.z_mm < -cut.begins_z_mm.to_mm()
+}
+
+/// How far a radius is from the crests of a thread towards its roots, mm.
+fn depth_of(cut: &ThreadCut, radius: f64) -> f64 {
+    let (crest, root) = (cut.crest_radius_mm.to_mm(), cut.root_radius_mm.to_mm());
+    (radius - crest) * (root - crest).signum()
+}
+
 /// Z at which each pass of a thread starts before it, the speed of the spindle, and its line. What goes on from another pass is
 /// no start; nor is a pass whose speed follows its diameter, which a rule of its own tells.
 fn starts(run: &LatheRun, cut: &ThreadCut) -> Vec<(f64, RevsPerMinute, u32)> {
-    let (begins, ends) = (-cut.begins_z_mm.to_mm(), -cut.ends_z_mm.to_mm());
     let mut before: Option<&LatheMotion> = None;
     let mut starts = Vec::new();
     for motion in run.motions.iter().filter(|motion| motion.act.moves()) {
         let goes_on = before.is_some_and(|one| matches!(one.act, LatheAct::Thread { .. }) && one.to == motion.from);
         before = Some(motion);
         let (Some(from), Some(to)) = (motion.from.point(), motion.to.point()) else { continue };
-        let crosses = from.z_mm > ends && to.z_mm < begins;
-        let near = [from.radius_mm, to.radius_mm].into_iter().any(|radius| {
-            let (crest, root) = (cut.crest_radius_mm.to_mm(), cut.root_radius_mm.to_mm());
-            (radius - crest) * (root - crest) > 0.0
-        });
-        if goes_on || !crosses || !near || !matches!(motion.act, LatheAct::Thread { .. }) {
+        let near = [from.radius_mm, to.radius_mm].into_iter().any(|radius| depth_of(cut, radius) > 0.0);
+        if goes_on || !crosses(cut, (from, to)) || !near || !matches!(motion.act, LatheAct::Thread { .. }) {
             continue;
         }
         if let Some((slow, _)) = turns(motion).filter(|(slow, fast)| slow == fast) {

@@ -121,6 +121,17 @@ pub enum Turning {
     Counterclockwise,
 }
 
+impl Turning {
+    /// The other way round; a spindle that stands does not turn.
+    pub const fn reversed(self) -> Self {
+        match self {
+            Self::Stopped => Self::Stopped,
+            Self::Clockwise => Self::Counterclockwise,
+            Self::Counterclockwise => Self::Clockwise,
+        }
+    }
+}
+
 /// The side of its path on which a tool is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
