@@ -350,10 +350,11 @@ fn report(parts: &[&str], file: &str, mutants: impl Fn(&Plan, &mut dyn FnMut(&Mu
 }
 
 /// What is known not to be named first, or not to be found, and why.
-const KNOWN: [(&str, &str); 6] = [
+const KNOWN: [(&str, &str); 7] = [
     // A number of a tool is its name: what is wrong is said where the tool that is called so comes up.
     ("not first:", "/holes/#/transitions/#/tool/number"),
     ("not first:", "/tools/#/number"),
+    ("not first:", "/sequence/#/tool"),
     // A clamp may stand elsewhere: what is wrong is its distance.
     ("not first:", "/clamping/clamps/#/#"),
     // A hole ten times as deep is cut by tools that do not fit the machine, and tools come before it.

@@ -200,7 +200,7 @@ fn a_finding_of_the_plan_shows_no_code() {
     );
     let answer = command(&folder, &["plan", part.to_str().unwrap()], b"");
     assert!(
-        answer.answer.contains("Set-up 1: the part on supports of 10 mm, so that tools have room below it"),
+        answer.answer.contains("Set-up 1: the part on supports of 13 mm, so that tools have room below it"),
         "{}",
         answer.answer
     );
