@@ -3,6 +3,7 @@
 //! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`], [`zone`]);
 //! - [`tapping`] is the hole under a tapped thread;
 //! - [`practice_speed`] is the speed used in shops, for comparison with the formulas;
+//! - [`demand`] is what a plan asks of its machine;
 //! - [`plan`] is the result of planning, a value; [`motion`] is what programs do;
 //! - [`note`] and [`error`] are sentences as data; [`lang`] and [`words`] are the few words that are read as well as
 //!   written;
@@ -11,6 +12,7 @@
 //! Architecture invariant: nothing here chooses a tool, a figure or an order.
 
 pub mod ascii;
+pub mod demand;
 pub mod error;
 pub mod lang;
 pub mod machine;

@@ -19,27 +19,6 @@ pub fn doubtful_row(row: RowRef<'_>) -> Option<Finding> {
     Some(Finding::of_part(Severity::Doubtful, doubt))
 }
 
-/// The findings that another room acts on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ActedOn {
-    /// Ways over clamps of the file whose height nobody says: the program asks for it.
-    ClampsUnmeasured,
-    /// Ways over clamps that the plan proposes: how low they must be.
-    ProposedClamps,
-    /// A plate that springs under a drill.
-    PlateSprings,
-}
-
-impl ActedOn {
-    const fn code(self) -> &'static str {
-        match self {
-            Self::ClampsUnmeasured => "ways-over-clamps",
-            Self::ProposedClamps => "ways-over-proposed-clamps",
-            Self::PlateSprings => "proof-plate-springs",
-        }
-    }
-}
-
 /// A remark on a plan for its reader.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Finding {
@@ -62,12 +41,6 @@ impl Finding {
     /// A finding about the whole part.
     pub fn of_part(severity: Severity, note: Note) -> Self {
         Self { severity, hole: None, note }
-    }
-
-    /// Whether it is that one, which another room acts on.
-    #[expect(clippy::disallowed_methods, reason = "the only place where what is told is read again")]
-    pub fn is(&self, kind: ActedOn) -> bool {
-        self.note.code() == kind.code()
     }
 
     /// Sorts findings for output and removes duplicates: the most severe first, those of a hole together, those of

@@ -2,15 +2,14 @@
 //!
 //! - `hold`: whether the places of the clamps hold it against turning and tipping;
 //! - `fixture`: its kind, and how table, fixture and part are located;
-//! - `vice`: a vice, where clamps find no place;
-//! - `stand`: where the part stands and its zeros, of the job.
+//! - `vice`: a vice, where clamps find no place.
 
 mod fixture;
 mod hold;
-mod stand;
 mod vice;
 
 use crate::error::KnowledgeError;
+use crate::knowledge::RowRef;
 use crate::machine::Machine;
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::part::{Fixture, Outline, Part, Point};
@@ -94,7 +93,6 @@ pub fn vice_instead(
 }
 
 pub use fixture::fixture;
-pub use stand::stands;
 
 /// The force that a transition needs, by the formula that asks for more.
 struct Need<'p> {
@@ -118,20 +116,20 @@ struct Load<'p> {
     torque: NewtonMetres,
     /// The side force, where it pushes.
     side: Option<Newtons>,
+    operation: Operation,
     hole: &'p str,
 }
 
-/// The loads of all transitions on this machine that have a torque.
-fn loads<'p>(holes: &'p [HolePlan], shop: &Shop<'_>) -> Result<Vec<Load<'p>>, KnowledgeError> {
+/// The loads of all transitions of a group on this machine that have a torque, each with the row that says what it does.
+fn loads_of<'p, 'k>(plan: &'p HolePlan, shop: &Shop<'k>) -> Result<Vec<(Load<'p>, RowRef<'k>)>, KnowledgeError> {
     let mut loads = Vec::new();
-    for plan in holes {
-        for transition in plan.transitions.iter().filter(|transition| !transition.elsewhere) {
-            let Some(torque) = transition.conditions.torque_n_m.filter(|torque| torque.0 > 0.0) else { continue };
-            let question = ClampingLoadFor { operation: transition.operation };
-            let load = shop.knowledge.ask(&question)?.need(transition.operation.name())?;
-            let side = (load.load == PartLoad::Pushes).then(|| side_force(transition, torque)).flatten();
-            loads.push(Load { torque, side, hole: &plan.name });
-        }
+    // On another machine the part is clamped anew.
+    for transition in plan.transitions.iter().filter(|transition| !transition.elsewhere) {
+        let Some(torque) = transition.conditions.torque_n_m.filter(|torque| torque.0 > 0.0) else { continue };
+        let operation = transition.operation;
+        let load = shop.knowledge.ask(&ClampingLoadFor { operation })?.need(operation.name())?;
+        let side = (load.load == PartLoad::Pushes).then(|| side_force(transition, torque)).flatten();
+        loads.push((Load { torque, side, operation, hole: &plan.name }, load.row));
     }
     Ok(loads)
 }
@@ -145,9 +143,6 @@ fn side_force(transition: &Transition, torque: NewtonMetres) -> Option<Newtons> 
     (on > Micrometres::ZERO).then(|| Newtons(2.0 * torque.0 / (on.to_mm() / 1000.0)))
 }
 
-/// Half a unit of the last printed figure of the safety factor k = 2.5 (textbook 5.2 item 7).
-const FACTOR_ROUNDING: f64 = 0.05;
-
 /// The clamping with clamps at those places, and the conditions that do not hold.
 fn clamped(
     part: &Part,
@@ -159,6 +154,7 @@ fn clamped(
     let ((k, safety), (f, friction)) =
         (constant(ClampingConstant::Safety, shop)?, constant(ClampingConstant::Friction, shop)?);
     let (f2, of_support) = constant(ClampingConstant::SupportFriction, shop)?;
+    let (rounding, _) = constant(ClampingConstant::SafetyRounding, shop)?;
     let inset = shop.convention(HoleDefault::ClampInset)?;
 
     let mut worst: Option<Need<'_>> = None;
@@ -167,13 +163,8 @@ fn clamped(
         // The point nearest to a clamp needs the most against turning; against sliding all need the same.
         let distances = hole.at.iter().filter_map(|point| point.to_nearest(&clamps));
         let Some(distance) = distances.filter(|distance| *distance > Micrometres::ZERO).min() else { continue };
-        // On another machine the part is clamped anew.
-        for transition in plan.transitions.iter().filter(|transition| !transition.elsewhere) {
-            let Some(torque) = transition.conditions.torque_n_m.filter(|torque| torque.0 > 0.0) else { continue };
-            let question = ClampingLoadFor { operation: transition.operation };
-            let load = shop.knowledge.ask(&question)?.need(transition.operation.name())?;
+        for (Load { torque, side, operation, .. }, row) in loads_of(plan, shop)? {
             let by_book = k * torque.0 / (f * distance.to_mm() / 1000.0);
-            let side = (load.load == PartLoad::Pushes).then(|| side_force(transition, torque)).flatten();
             if torque.0 > turns.0.0 {
                 turns = (torque, plan.name.as_str());
             }
@@ -191,10 +182,10 @@ fn clamped(
                 None => Note::new("clamping-turns"),
             };
             let note = note
-                .with("operation", Figure::operation(transition.operation.name()))
+                .with("operation", Figure::operation(operation.name()))
                 .with("torque", torque.rounded(2).0)
                 .with("by_book", Newtons(by_book).rounded(0).0);
-            worst = Some(Need { force, torque, side, hole: &plan.name, distance, why: Because::row(load.row, note) });
+            worst = Some(Need { force, torque, side, hole: &plan.name, distance, why: Because::row(row, note) });
         }
     }
     let Some(Need { force, torque, side, hole, distance, why }) = worst else { return Ok(None) };
@@ -204,6 +195,9 @@ fn clamped(
     let thick = |screw: &&ClampScrew<'_>| screw.nominal_diameter.to_mm() >= thinnest;
     let straps: Vec<StrapRow<'_>> = shop.knowledge.rows()?;
     let slot = shop.machine.slot_width;
+    // A screw that the file names is one that the shop has, whatever its bolt stands in.
+    let named = part.fixture.clamps.iter().find_map(|clamp| clamp.screw.clone());
+    let slot = slot.filter(|_| named.is_none());
     let fits = |screw: &&ClampScrew<'_>| {
         let strap = straps.iter().find(|strap| strap.screw == screw.thread);
         slot.zip(strap).is_none_or(|(slot, strap)| strap.slot <= slot)
@@ -212,7 +206,7 @@ fn clamped(
     let strongest = screws.iter().rfind(fits);
     // The safety factor is printed to one decimal: a screw that lacks less than that leaves a factor that rounds to it.
     let short = |bears: Newtons| {
-        if bears.0 * k < each.0 * (k - FACTOR_ROUNDING) { Severity::Error } else { Severity::Doubtful }
+        if bears.0 * k < each.0 * (k - rounding) { Severity::Error } else { Severity::Doubtful }
     };
     let mut faults = Vec::new();
     if let (None, Some(strongest)) = (strong, strongest) {
@@ -232,7 +226,6 @@ fn clamped(
         None => return Err(KnowledgeError::no_row(shop.knowledge.table_of::<ClampScrew<'_>>()?, "a screw")),
     };
     // The screws of the drawing are kept; the plan then says which screw would be enough.
-    let named = part.fixture.clamps.iter().find_map(|clamp| clamp.screw.clone());
     let shown = screws.iter().find(|screw| named.as_deref() == Some(screw.thread)).unwrap_or(screw);
     let (name, most) = (screw.thread, shown.force_80);
     let note = Note::new("screw").with("needed", name).with("taken", shown.thread).with("bears", most.0);
@@ -292,7 +285,7 @@ fn beside_strap(
     for (at, one) in straps.iter().enumerate() {
         if let Some(other) = (at + 1..straps.len()).find(|other| one.overlaps(&straps[*other])) {
             let shown = |index: usize| clamping.clamps.get(index).map(|at| format!("[{}; {}]", at.x, at.y));
-            let note = Note::new("clamp-outlines-overlap").with("one", shown(at).unwrap_or_default());
+            let note = Note::new("straps-overlap").with("one", shown(at).unwrap_or_default());
             let note = note.with("other", shown(other).unwrap_or_default());
             return Ok(Some(Finding::of_part(Severity::Error, note)));
         }

@@ -54,6 +54,7 @@ pub(super) fn beside(
     findings: &mut Vec<Finding>,
 ) -> Result<(), KnowledgeError> {
     let side = Micrometres::from_mm_rounded(convention(Convention::ObstacleSide, shop.knowledge)?.0);
+    // The foot about a clamp without an outline has its margin in it.
     for one in setup.standing.iter().filter(|one| matches!(one.outline, Outline::Box(..))) {
         let near = setup.works.iter().find(|work| {
             let radius = radius_of(work, plan);
@@ -87,8 +88,8 @@ pub(super) fn ways_over_clamps(
     plan: &Plan,
     change: (Micrometres, Micrometres),
     shop: &Shop<'_>,
-    findings: &mut Vec<Finding>,
-) -> Result<(), KnowledgeError> {
+) -> Result<Vec<Finding>, KnowledgeError> {
+    let mut findings = Vec::new();
     let foot = shop.convention(HoleDefault::ClampInset)?;
     let home = Point { x: change.0 - setup.zero.x, y: change.1 - setup.zero.y };
     let unmeasured = plan.part.fixture.clamps.iter().filter(|clamp| clamp.height.is_none());
@@ -121,7 +122,7 @@ pub(super) fn ways_over_clamps(
             findings.push(Finding::of_part(severity, note));
         }
     }
-    Ok(())
+    Ok(findings)
 }
 
 /// Sets the heights at which tools go from hole to hole: as the part file says; else a tool whose ways lead over

@@ -5,7 +5,7 @@
 //! Heights are Z in the drawing of the part, in the current set-up.
 //!
 //! - `make` turns a plan into the tree; `cycle` is the cycle of one transition, by the rule `machining-cycle`;
-//! - `part_position` is the position of the part on the machine; `on_table` checks that it lies on the table within reach;
+//! - `part_position` is the position of the part on the machine, `stand` what a setter is told of it; `on_table` checks that it lies on the table within reach;
 //!   `clearance` checks what the tools pass over;
 //! - `envelope` is how thick the tools are over their cutters;
 //! - `time` is the duration of the work: cutting, rapids and manual work;
@@ -19,6 +19,7 @@ mod envelope;
 mod make;
 mod on_table;
 mod part_position;
+mod stand;
 mod time;
 mod unfinished;
 
@@ -29,17 +30,20 @@ use technolog_tables as tables;
 
 use serde::Serialize;
 
+use crate::error::KnowledgeError;
 use crate::motion::{Position, Sense};
 use crate::note::{Because, Finding};
 use crate::part::{Face, Point, Standing};
-use crate::plan::Operation;
+use crate::plan::{Operation, Plan};
+use crate::shop::Shop;
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
 pub use cycle::{Feeding, cycle};
 pub use envelope::{Body, BodyKind, Envelope};
 pub use make::make;
 pub use shop::convention;
-pub use time::{Duration, Hands, timed};
+use time::timed;
+pub use time::{Duration, Hands};
 pub use unfinished::{Left, Unfinished};
 
 /// Everything that a machine does for a part.
@@ -63,6 +67,28 @@ pub struct Job {
     pub envelopes: Vec<Envelope>,
     /// Findings: the quill does not reach, or the part does not fit under the tools.
     pub findings: Vec<Finding>,
+    /// What of them its plan says: what a program would be refused for, but clamps whose height nobody says make no plan wrong,
+    /// because its program asks for them.
+    #[serde(skip)]
+    pub of_plan: Vec<Finding>,
+}
+
+/// The function of the coordinate system of a set-up, counted from 0: G54 of the first, G55 of the second.
+pub fn frame(setup: usize) -> u8 {
+    54 + u8::try_from(setup).unwrap_or(u8::MAX).min(5)
+}
+
+/// Writes into a plan what its job says of it: how its time is spent, how the part stands, and what prevents programs from running
+/// on the machine.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub fn tell(plan: &mut Plan, job: &Job, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
+    timed(plan, job, shop)?;
+    plan.setup.stands = stand::stands(plan, job, &shop.machine);
+    let new: Vec<Finding> = job.of_plan.iter().filter(|finding| !plan.findings.contains(finding)).cloned().collect();
+    plan.findings.extend(new);
+    Ok(())
 }
 
 impl Job {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
 use crate::motion::Position;
+use crate::note::{Finding, Severity};
 use crate::part::{Face, Point};
 use crate::plan::{Plan, ToolPlan, ToolVisit, Transition};
 use crate::shop::Shop;
@@ -24,7 +25,7 @@ use super::{Job, Pause, SetUp, Stop, ToolWork, Unfinished};
 pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
     let part = &plan.part;
     let machine = &shop.machine;
-    let mut findings = Vec::new();
+    let (mut findings, mut asked) = (Vec::new(), Vec::new());
     let mut setups = Vec::new();
     // The tool in each place; the first loading is done before the program begins.
     let mut magazine: BTreeMap<u32, u32> = plan
@@ -62,7 +63,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         let setup = SetUp { number, face, zero, supports, nose, works, standing };
         change_over_part(&setup, part, machine.tool_change_at, &mut findings);
         if face == Face::Entry {
-            ways_over_clamps(&setup, plan, machine.tool_change_at, shop, &mut findings)?;
+            asked.extend(ways_over_clamps(&setup, plan, machine.tool_change_at, shop)?);
         }
         beside(&setup, plan, shop, &mut findings)?;
         reach_of_quill(&setup, plan, shop, &mut findings);
@@ -70,6 +71,11 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         setups.push(setup);
     }
     let (x, y) = machine.tool_change_at;
+    let hinders = findings.iter().filter(|finding: &&Finding| finding.severity <= Severity::Doubtful).cloned();
+    let doubted =
+        asked.iter().map(|own: &Finding| Finding { severity: own.severity.max(Severity::Doubtful), ..own.clone() });
+    let of_plan = hinders.chain(doubted).collect();
+    findings.extend(asked);
     Ok(Job {
         part: part.part.clone(),
         machine: part.machine.clone(),
@@ -79,6 +85,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         unfinished: Unfinished::of(plan),
         envelopes: envelopes(plan, shop)?,
         findings,
+        of_plan,
     })
 }
 

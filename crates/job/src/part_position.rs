@@ -51,8 +51,8 @@ pub(super) fn stand(
     let heights = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.out)).max().unwrap_or_default();
     // With the quill retracted the longest tool clears what stands over the face, too: from one point to another, and to the tool change.
     let room = Micrometres::from_mm_rounded(convention(Convention::ObstacleClearance, shop.knowledge)?.0);
-    let highest = standing.iter().map(|one| part.datum.top + one.height + room).max();
-    let heights = heights.max(highest.filter(|_| part.fixture.retract.is_none()).unwrap_or(heights));
+    let over = standing.iter().filter(|_| part.fixture.retract.is_none()).map(|one| part.datum.top + one.height + room);
+    let heights = over.chain([heights]).max().unwrap_or(heights);
     let supports = match &plan.setup.vice {
         Some(vice) => vice.height(),
         None => supports(part, works, shop, findings)?,

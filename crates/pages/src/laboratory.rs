@@ -27,7 +27,7 @@ mod from_above;
 mod limits;
 mod title;
 
-pub use title::{ReportFile, TitleBlock, read_title, schema};
+pub use title::{TitleBlock, read_title, schema};
 
 /// How many parts a report has.
 pub const PARTS: u8 = 16;
@@ -302,30 +302,35 @@ fn program(page: &mut Document, own: &Sources<'_>, lang: Lang) {
     if let Some(warning) = own.warning {
         page.paragraph(say!(lang, "lab-not-to-run", why = warning));
     }
-    own.left.iter().for_each(|left| page.paragraph(say!(lang, "lab-left", what = left.as_str())));
+    undone(page, own, lang);
     page.paragraph(say!(lang, "lab-program-form"));
     page.blocks.extend(own.sheet.page().blocks);
+}
+
+/// What the program leaves undone of the part.
+fn undone(page: &mut Document, own: &Sources<'_>, lang: Lang) {
+    own.left.iter().for_each(|left| page.paragraph(say!(lang, "lab-left", what = left.as_str())));
 }
 
 /// What the plan's own figures say, what stays undone, and the place for the author's words.
 fn conclusions(page: &mut Document, own: &Sources<'_>, title: &TitleBlock, lang: Lang) {
     let plan = own.plan;
-    let here = |hole: &&HolePlan| hole.transitions.iter().any(|own| !own.elsewhere);
-    let count = |holes: &mut dyn Iterator<Item = &str>| {
-        let of = |name: &str| plan.part.holes.iter().find(|own| own.name == name).map_or(0, |own| own.at.len());
-        holes.map(of).sum::<usize>()
+    let is_made = |hole: &&Hole| {
+        let planned = plan.holes.iter().find(|own| own.name == hole.name);
+        planned.is_some_and(|own| own.transitions.iter().any(|one| !one.elsewhere))
     };
+    let count = |hole: &Hole| hole.at.len();
     let transitions: usize =
         plan.holes.iter().map(|own| own.transitions.iter().filter(|it| !it.elsewhere).count()).sum();
     let note = Note::new("lab-made")
-        .with("holes", count(&mut plan.holes.iter().filter(here).map(|own| own.name.as_str())))
-        .with("all", count(&mut plan.part.holes.iter().map(|own| own.name.as_str())))
+        .with("holes", plan.part.holes.iter().filter(is_made).map(count).sum::<usize>())
+        .with("all", plan.part.holes.iter().map(count).sum::<usize>())
         .with("tools", plan.tools.len())
         .with("transitions", transitions)
         .with("setups", own.job.setups.len())
         .with("time", exactly(plan.time.total_min.0, 2));
     page.paragraph(lang.say(&note));
-    own.left.iter().for_each(|left| page.paragraph(say!(lang, "lab-left", what = left.as_str())));
+    undone(page, own, lang);
     if let Some((hole, time)) = slowest(plan) {
         page.paragraph(say!(lang, "lab-slowest", hole = hole.name.as_str(), time = exactly(time, 2)));
     }

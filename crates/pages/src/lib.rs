@@ -24,7 +24,7 @@ pub use why::explain;
 // The types of this crate and of others, under one name each in the whole program; `audit` and `turning` are rooms of
 // pages here.
 use crate as report;
-use technolog_core::{error, machine, material, motion, note, part, plan};
+use technolog_core::{demand, error, machine, material, motion, note, part, plan};
 use technolog_document as document;
 use technolog_knowledge::{self as knowledge, units};
 use technolog_nc::{job, program};

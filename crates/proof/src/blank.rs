@@ -27,12 +27,21 @@ pub(crate) fn faults(plan: &Plan, shop: &Shop<'_>) -> Result<Vec<Finding>, Knowl
             }
         }
     }
-    for (hole, planned) in part.holes.iter().zip(&plan.holes) {
-        if let Some(fault) = springs(hole, &planned.transitions, plan, shop)? {
-            faults.push((&hole.name, fault));
-        }
-    }
+    faults.extend(springing(plan, shop)?);
     Ok(faults.into_iter().map(|(hole, fault)| Finding::of_hole(fault.severity(), hole, fault.note())).collect())
+}
+
+/// Whether the plate springs under some tool by more than the feed.
+pub(crate) fn plate_springs(plan: &Plan, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+    Ok(!springing(plan, shop)?.is_empty())
+}
+
+fn springing<'p>(plan: &'p Plan, shop: &Shop<'_>) -> Result<Vec<(&'p String, Fault)>, KnowledgeError> {
+    let mut faults = Vec::new();
+    for (hole, planned) in plan.part.holes.iter().zip(&plan.holes) {
+        faults.extend(springs(hole, &planned.transitions, plan, shop)?.map(|fault| (&hole.name, fault)));
+    }
+    Ok(faults)
 }
 
 /// A cylinder of a hole, its ends measured from the entry face.

@@ -37,6 +37,14 @@ use crate::note::Finding;
 use crate::plan::Plan;
 use crate::shop::Shop;
 
+/// Whether the plate of a plan springs under some of its tools by more than the feed.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub fn plate_springs(plan: &Plan, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+    blank::plate_springs(plan, shop)
+}
+
 /// All faults in a plan, hole by hole.
 ///
 /// # Errors

@@ -13,6 +13,7 @@ vocabulary! {
         Clamps = "clamps",
         OverhangAddition = "overhang-addition",
         LeastScrew = "least-screw",
+        SafetyRounding = "safety-rounding",
         ViceGrip = "vice-grip",
         ViceGripShare = "vice-grip-share",
         ViceBelowFace = "vice-below-face",

@@ -28,7 +28,8 @@ fn a_pattern_of_holes_is_planned_as_the_list_of_its_points() {
     }
 }
 
-/// The flutes of А.11 are 75 mm long at Ø8 and 90 at Ø10, the long series of ГОСТ 886-77 has 109 and 121. What the textbook's drills are too short for is drilled with these, out of the hole after each step.
+/// The flutes of А.11 are 75 mm long at Ø8 and 90 at Ø10, those of А.12 120 at Ø16; the long series of ГОСТ 886-77 has 109,
+/// 121 and 149. What the textbook's drills are too short for is drilled with these, out of the hole after each step.
 #[test]
 fn a_deep_hole_gets_a_long_drill_and_pecks() {
     let plan = |diameter: &str, depth: &str| {
@@ -37,9 +38,12 @@ fn a_deep_hole_gets_a_long_drill_and_pecks() {
         );
         without_errors(technolog_testing::plan_of_hole("steel-45", "gf2171", depth, &keys), &keys)
     };
-    for (diameter, depth, drill) in
-        [("8H12", "100", "ГОСТ 886-77 Ø8"), ("10H12", "105", "ГОСТ 886-77 Ø10"), ("10H12", "70", "035-2300-1273")]
-    {
+    for (diameter, depth, drill) in [
+        ("8H12", "100", "ГОСТ 886-77 Ø8"),
+        ("10H12", "105", "ГОСТ 886-77 Ø10"),
+        ("16H12", "130", "ГОСТ 886-77 Ø16"),
+        ("10H12", "70", "035-2300-1273"),
+    ] {
         let plan = plan(diameter, depth);
         assert_eq!(steps(&plan).last().unwrap().tool.designation, drill, "{diameter} × {depth}");
         let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();

@@ -191,3 +191,17 @@ fn shallow_recesses_are_milled_to_the_floor() {
     assert_eq!(steps(&short).last().unwrap().operation, Operation::Mill);
     flat("steel-45", "50H12", "Ra 6.3", 5.0);
 }
+
+/// Only where a bar goes down and a reamer does not has the floor decided; between two reamers time does.
+#[test]
+fn the_floor_is_named_only_where_it_decided() {
+    let keys = "diameter: 14H11, depth: 15, bottom: flat, roughness: Ra 6.3, centre_tolerance: 0.3, at: [[0, 0]]";
+    let plan = plan_of_hole("steel-45", "gf2171", "40", keys);
+    let route = plan.holes[0].route.as_ref().unwrap();
+    let gap = technolog::units::Micrometres::new(200);
+    let stops = |finding: &&technolog::note::Finding| finding.note.code() == "ends-above-floor";
+    let left = plan.findings.iter().find(stops).and_then(|finding| finding.note.figure("left")).map(|own| own.text());
+    let high = left.is_some_and(|left| left.parse::<f64>().unwrap() > gap.to_mm());
+    let by_floor = route.alternatives.iter().any(|other| other.why.code() == "lost-by-floor");
+    assert!(!(high && by_floor), "{:?}", route.alternatives);
+}

@@ -309,3 +309,33 @@ fn the_fixture_is_chosen_by_what_holds_the_part() {
         assert_eq!(fixture.locating, PartLocating::ThreePlanes);
     }
 }
+
+/// Parallels are in the way of what comes out below the part: blind holes lie over them as they please.
+#[test]
+fn blind_holes_are_in_nobodys_way_in_a_vice() {
+    let hole = |bottom: &str| {
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\n\
+             blank: {{kind: plate, length: 60, width: 50, thickness: 30}}\nholes:\n  - {{name: A, diameter: 6H12, {bottom}, \
+             roughness: Ra 12.5, centre_tolerance: 0.4, at: [[-23.5, -18.5], [23.5, 18.5], [-23.5, 18.5], [23.5, -18.5]]}}\n"
+        );
+        planned(&read(&text), CuttingMethod::Formula)
+    };
+    let blind = hole("depth: 10");
+    assert!(blind.setup.vice.is_some(), "{:?}", blind.findings);
+    // Of 25 − 18.5 − 3 = 3.5 mm beside a hole the thinnest parallels leave none.
+    assert!(hole("through: true").setup.vice.is_none());
+}
+
+/// A screw that the file names is one that the shop has, and M24 bears 23510 N: no slot is its business.
+#[test]
+fn a_screw_of_the_file_is_not_held_against_the_slot() {
+    let text = "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {kind: plate, length: 300, width: 200, thickness: 40}\n\
+                fixture: {height: 60, clamps: [{at: [-130, 0], screw: M24}, {at: [130, 0], screw: M24}]}\nholes:\n  \
+                - {name: A, diameter: 60H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[0, 0]]}\n";
+    let plan = planned(&read(text), CuttingMethod::Formula);
+    let clamping = plan.clamping.as_ref().unwrap();
+    assert_eq!((clamping.screw.as_str(), clamping.proposed), ("M24", false));
+    assert!(clamping.screw_bears_n.0 > clamping.force_per_clamp_n.0);
+    assert!(found(&plan, "no-screw-for-slot").is_none(), "{:?}", plan.findings);
+}

@@ -32,14 +32,14 @@ fn part(number: usize) -> String {
     text
 }
 
-/// Within 2 % in the middle and never more than 8 % off: programs round feeds down to whole millimetres a minute, and LinuxCNC
-/// feeds a tap out up to the level of travel, over straps, where the plan ends at the level of approach.
+/// Within 2 % in the middle and never more than 5 % off: programs round feeds down to whole millimetres a minute.
 #[test]
 fn a_plan_takes_as_long_as_its_program() {
     let control = Language::read("linuxcnc", &KNOWLEDGE).unwrap();
     let mut ratios = Vec::new();
     for number in 0..400 {
-        if ratios.len() == 200 {
+        // As many as the assertion asks for, and some more.
+        if ratios.len() > 150 {
             break;
         }
         let bench = ProofBench::of(&read(&part(number)));
@@ -51,10 +51,10 @@ fn a_plan_takes_as_long_as_its_program() {
         control.check(&text, &bench.machine, &bench.setting, &mut sink);
         let time = bench.plan.time;
         let ratio = (time.total_min.0 - time.hand_min.0) / sink.1.times().total_min.0;
-        assert!((ratio - 1.0).abs() < 0.08, "{ratio}: {time:?}, {:?}\n{}", sink.1.times(), part(number));
+        assert!((ratio - 1.0).abs() < 0.05, "{ratio}: {time:?}, {:?}\n{}", sink.1.times(), part(number));
         ratios.push(ratio);
     }
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
-    assert!(ratios.len() == 200 && (median - 1.0).abs() < 0.02, "{median} of {}", ratios.len());
+    assert!(ratios.len() > 150 && (median - 1.0).abs() < 0.02, "{median} of {}", ratios.len());
 }

@@ -311,7 +311,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             other_way: self.other_way(group, choice),
             misses: !choice.meets_requirements(),
             at_best: choice.at_best.len(),
-            over_floor: choice.over_floor() > self.bar_gap,
+            over_floor: choice.stops_high(self.bar_gap),
             crowding: if self.crowded { new_tools } else { 0 },
             time: micro(self.time(group, index, choice).0),
             new_tools,

@@ -91,7 +91,7 @@ fn depth(
             return Ok(false);
         }
         let found = Refusal::split(options::options(&hole, &part, preference, drills, shop))?;
-        Ok(found.is_ok_and(|found| !found.choices.is_empty() && found.impossible.is_empty()))
+        Ok(found.is_ok_and(|found| found.choices.iter().any(Choice::meets_requirements) && found.impossible.is_empty()))
     };
     let mut fails = (hole.depth.micrometres() + MM - 1) / MM;
     let mut makes = None;

@@ -52,6 +52,11 @@ impl Choice {
         self.misses.is_empty()
     }
 
+    /// Whether it leaves more unfinished above a flat floor than bars do, which stop that far above it.
+    pub fn stops_high(&self, bar_gap: Micrometres) -> bool {
+        self.over_floor() > bar_gap
+    }
+
     /// How much of the main cylinder it leaves unfinished above a flat floor.
     pub fn over_floor(&self) -> Micrometres {
         let main = self.steps.iter().map(|fitted| &fitted.step).filter(|step| step.place.feature == Feature::Bore);
@@ -348,7 +353,7 @@ impl Finder<'_, '_> {
         let goes_first = |choice: &Choice| !stands_back(choice) && (boring || !mills(choice));
         // Nor does it compare them over a flat floor, where a reamer stops higher, by its lead, than a bar.
         let gap = self.shop.convention(HoleDefault::FlatFloorGap)?;
-        let down = |choice: &Choice| boring || choice.over_floor() <= gap;
+        let down = |choice: &Choice| boring || !choice.stops_high(gap);
         let other =
             options.choices.iter().any(|choice| choice.meets_requirements() && goes_first(choice) && down(choice));
         if !other {

@@ -20,10 +20,8 @@ use std::collections::BTreeMap;
 use crate::error::KnowledgeError;
 use crate::job;
 use crate::machine::{Machine, Rapid};
-use crate::note::{ActedOn, Finding, Severity};
 use crate::part::{Face, Part, Point};
 use crate::plan::{HolePlan, Plan, Stop, ToolVisit};
-use crate::setup;
 use crate::shop::Shop;
 use crate::units::{Micrometres, Minutes};
 
@@ -82,21 +80,7 @@ type Speeds = Vec<u64>;
 /// The knowledge base has no answer.
 pub fn timed(plan: &mut Plan, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     let job = job::make(plan, shop)?;
-    job::timed(plan, &job, shop)?;
-    plan.setup.stands = setup::stands(plan, &job, &shop.machine);
-    // What a program would be refused for is told of the plan, too. Clamps whose height is not known make no plan wrong: its
-    // program asks for them. How low the clamps of its own must be, who sets it up must know.
-    let told = job.findings.into_iter().map(|finding| {
-        let severity = if finding.is(ActedOn::ClampsUnmeasured) { Severity::Doubtful } else { finding.severity };
-        Finding { severity, ..finding }
-    });
-    let hinders = |finding: &Finding| {
-        (finding.severity <= Severity::Doubtful || finding.is(ActedOn::ProposedClamps))
-            && !plan.findings.contains(finding)
-    };
-    let hindered: Vec<Finding> = told.filter(hinders).collect();
-    plan.findings.extend(hindered);
-    Ok(())
+    job::tell(plan, &job, shop)
 }
 
 /// The lowest tool number that some group needs next.

@@ -2,7 +2,7 @@
 //! to 1.9.
 
 use crate::error::KnowledgeError;
-use crate::note::{ActedOn, Because, Note};
+use crate::note::{Because, Note};
 use crate::plan::{FixturePlan, HeldBy, Plan};
 use crate::shop::Shop;
 use crate::tables::rules::{FixtureKeyingFor, FixtureKindFor, PartLocatingFor};
@@ -20,7 +20,7 @@ pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<Option<FixturePlan>, Know
         (None, Some(_)) => HeldBy::Straps,
         (None, None) => HeldBy::Nothing,
     };
-    let stiff = !plan.findings.iter().any(|finding| finding.is(ActedOn::PlateSprings));
+    let stiff = !technolog_proof::plate_springs(plan, shop)?;
     let ask = FixtureKindFor { held, stiff, family: false };
     let answer = shop.knowledge.ask(&ask)?;
     let kind = answer.need(held.name())?.kind;

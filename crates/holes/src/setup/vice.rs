@@ -8,9 +8,9 @@ use crate::shop::Shop;
 use crate::tables::materials::{ClampingConstant, MachineVice, Parallels};
 use crate::units::{Micrometres, Newtons};
 
-use super::{Load, constant, loads};
+use super::{Load, constant, loads_of};
 
-/// The first vice of `vices` that takes the part, or why the last one does not.
+/// The first vice of `vices` that takes the part, or why the first one does not, which is the one whose figures are known best.
 ///
 /// The part stands on parallels, or where no tool comes out below it on the ways; its jaws stay below the face, so that nothing is
 /// in the way of a tool. Its sides are machined, as all planes are (textbook 5.2 item 3).
@@ -21,25 +21,29 @@ pub(super) fn vice(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<R
     let rows: Vec<MachineVice<'_>> = shop.knowledge.rows()?;
     let parallels: Vec<Parallels<'_>> = shop.knowledge.rows()?;
     let limits = Limits::read(shop)?;
-    let loads = loads(holes, shop)?;
-    let job = InVice { part, loads: &loads, limits: &limits, parallels: &parallels, below: below(part, holes) };
-    let mut why = Note::new("no-vice-known");
+    let mut loads = Vec::new();
+    for plan in holes {
+        loads.extend(loads_of(plan, shop)?.into_iter().map(|(load, _)| load));
+    }
+    let job = InVice { part, holes, loads: &loads, limits: &limits, parallels: &parallels };
+    let mut why = None;
     for row in &rows {
         for jaws in [JawsAlong::X, JawsAlong::Y] {
             match job.held(row, jaws, shop)? {
                 Ok(vice) => return Ok(Ok(vice)),
-                Err(refused) => why = refused.with("vice", row.designation.to_owned()),
+                Err(refused) => {
+                    why.get_or_insert(refused.with("vice", row.designation.to_owned()));
+                }
             }
         }
     }
-    Ok(Err(why))
+    Ok(Err(why.unwrap_or_else(|| Note::new("no-vice-known"))))
 }
 
-/// How far a tool comes out below the part.
-fn below(part: &Part, holes: &[HolePlan]) -> Micrometres {
-    let ends = holes.iter().flat_map(|plan| &plan.transitions).filter(|one| !one.elsewhere);
-    let lowest = ends.map(|transition| transition.end()).max().unwrap_or_default();
-    (lowest - part.blank.thickness).max(Micrometres::ZERO)
+/// How far a tool comes out of a group of holes below the part.
+fn comes_out(part: &Part, plan: &HolePlan) -> Micrometres {
+    let ends = plan.transitions.iter().filter(|one| !one.elsewhere).map(|transition| transition.end());
+    (ends.max().unwrap_or_default() - part.blank.thickness).max(Micrometres::ZERO)
 }
 
 /// The constants of the table `clamping` that a vice is held by.
@@ -77,13 +81,18 @@ impl Limits {
 
 struct InVice<'a, 'k> {
     part: &'a Part,
+    holes: &'a [HolePlan],
     loads: &'a [Load<'a>],
     limits: &'a Limits,
     parallels: &'a [Parallels<'k>],
-    below: Micrometres,
 }
 
 impl InVice<'_, '_> {
+    /// How far a tool comes out below the part.
+    fn below(&self) -> Micrometres {
+        self.holes.iter().map(|plan| comes_out(self.part, plan)).max().unwrap_or_default()
+    }
+
     /// The part in that vice with its jaws along that axis, or the inequality that fails.
     fn held(
         &self,
@@ -104,7 +113,7 @@ impl InVice<'_, '_> {
             Ok(on) => on,
             Err(why) => return Ok(Err(why)),
         };
-        let raised = on.as_ref().map_or(Micrometres::ZERO, |on| on.height);
+        let raised = on.map_or(Micrometres::ZERO, |(on, _)| on.height);
         let grip = row.jaw_height - raised;
         let needed = self.needed(between, grip);
         let Some((force, load)) = needed else { return Ok(Err(Note::new("no-vice-known"))) };
@@ -119,8 +128,8 @@ impl InVice<'_, '_> {
             .with("jaws", row.jaw_width);
         let table = shop.knowledge.table_of::<MachineVice<'_>>()?;
         let mut because = vec![Because::row(row.row, note)];
-        because.extend(on.as_ref().map(|on| {
-            Because::row(on.row, Note::new("vice-parallels").with("height", on.height).with("below", self.below))
+        because.extend(on.map(|(on, _)| {
+            Because::row(on.row, Note::new("vice-parallels").with("height", on.height).with("below", self.below()))
         }));
         because.extend(self.limits.because.iter().cloned());
         Ok(Ok(Vice {
@@ -130,10 +139,8 @@ impl InVice<'_, '_> {
             jaw_width_mm: row.jaw_width,
             opened_mm: between,
             bed_height_mm: row.bed_height,
-            parallels_mm: on.as_ref().map(|on| on.height),
-            thickest_parallels_mm: on
-                .as_ref()
-                .map(|on| on.thickest.min(self.room_beside(jaws, on.length).unwrap_or(on.thickest))),
+            parallels_mm: on.map(|(on, _)| on.height),
+            thickest_parallels_mm: on.map(|(on, beside)| on.thickest.min(beside)),
             grip_mm: grip,
             below_face_mm: blank.thickness - grip,
             force_n: force.rounded(0),
@@ -143,10 +150,10 @@ impl InVice<'_, '_> {
         }))
     }
 
-    /// The lowest parallels that leave the tools room below the part and the jaws a grip below the face; none where the part lies
-    /// on the ways.
-    fn parallels(&self, row: &MachineVice<'_>, jaws: JawsAlong) -> Result<Option<&Parallels<'_>>, Note> {
-        let (thickness, limits) = (self.part.blank.thickness, self.limits);
+    /// The lowest parallels that leave the tools room below the part and the jaws a grip below the face, with the room beside the
+    /// holes above them; none where the part lies on the ways.
+    fn parallels(&self, row: &MachineVice<'_>, jaws: JawsAlong) -> Result<Option<(&Parallels<'_>, Micrometres)>, Note> {
+        let (thickness, limits, below) = (self.part.blank.thickness, self.limits, self.below());
         let most = (thickness - limits.below_face).min(row.jaw_height);
         let least = limits.grip.max(Micrometres::from_mm_rounded(limits.grip_share * thickness.to_mm()));
         // The height of the file is that of the ways and the parallels.
@@ -155,10 +162,10 @@ impl InVice<'_, '_> {
             let grip = row.jaw_height - raised;
             grip <= most && grip >= least && given.is_none_or(|given| raised == given)
         };
-        if self.below == Micrometres::ZERO && fits(Micrometres::ZERO) {
+        if below == Micrometres::ZERO && fits(Micrometres::ZERO) {
             return Ok(None);
         }
-        let room = if self.below > Micrometres::ZERO { self.below + limits.room_below } else { Micrometres::ZERO };
+        let room = if below > Micrometres::ZERO { below + limits.room_below } else { Micrometres::ZERO };
         let mut standing = self.parallels.iter().filter(|one| one.height >= room && fits(one.height));
         let note = || {
             let note = match self.part.fixture.height {
@@ -169,11 +176,11 @@ impl InVice<'_, '_> {
                     .with("below_face", limits.below_face)
                     .with("parallels", room.max(self.parallels.first().map(|one| one.height).unwrap_or_default())),
             };
-            note.with("jaws", row.jaw_height).with("below", self.below).with("least", least).with("most", most)
+            note.with("jaws", row.jaw_height).with("below", below).with("least", least).with("most", most)
         };
         let lowest = standing.next().ok_or_else(note)?;
         match self.room_beside(jaws, lowest.length) {
-            Some(beside) if beside >= lowest.thinnest => Ok(Some(lowest)),
+            Some(beside) if beside >= lowest.thinnest => Ok(Some((lowest, beside))),
             beside => {
                 let note = Note::new("vice-parallels-in-the-way").with("beside", beside.unwrap_or_default());
                 Err(note.with("thinnest", lowest.thinnest))
@@ -186,7 +193,9 @@ impl InVice<'_, '_> {
     fn room_beside(&self, jaws: JawsAlong, parallels: Micrometres) -> Option<Micrometres> {
         let (blank, datum, middle) = (&self.part.blank, &self.part.datum, self.part.middle());
         let mut room = blank.length.max(blank.width);
-        for hole in &self.part.holes {
+        let through =
+            self.part.holes.iter().zip(self.holes).filter(|(_, plan)| comes_out(self.part, plan) > Micrometres::ZERO);
+        for (hole, _) in through {
             let widest =
                 hole.steps.iter().map(|step| step.diameter.nominal).fold(hole.diameter.nominal, Micrometres::max);
             for at in &hole.at {

@@ -110,7 +110,7 @@ pub struct WorkRef {
 impl WorkRef {
     /// The function of the coordinate system of its set-up: G54 of the first, G55 of the second.
     pub(crate) fn system(self) -> u32 {
-        54 + u32::try_from(self.setup).unwrap_or_default().min(5)
+        crate::job::frame(self.setup).into()
     }
 }
 

@@ -1,11 +1,12 @@
 //! What the part needs of the machine beside what the machine has: the ground of the conclusion that it can be made.
 
+use crate::demand::{Beside, Demand, demands};
 use crate::document::{Block, Column, Document, Inlines, Table};
 use crate::machine::Machine;
 use crate::note::Figure;
-use crate::part::Point;
-use crate::plan::{Conditions, Plan, ToolPlan, Transition};
-use crate::units::Micrometres;
+use crate::report::unit as unit_of;
+use crate::tables::machines::MachineQuantity;
+use crate::units::{Micrometres, Unit};
 
 use super::super::sheet::findings_of_errors;
 use super::super::words::say;
@@ -19,11 +20,11 @@ pub(super) fn record(machine: &Machine<'_>, lang: Lang) -> Table {
         Column::text(say!(lang, "lab-unit")).min_width(4),
     ]);
     // The control has a line of its own, by its name for people.
-    for own in machine.characteristics().filter(|own| own.name != "control") {
+    for own in machine.characteristics().filter(|own| own.name != MachineQuantity::Control.name()) {
         let Some(label) = lang.find(&format!("characteristic-{}", own.name)) else { continue };
         let figures: Vec<String> = own.values.iter().map(|figure| lang.figure(&short(*figure))).collect();
         let said = if figures.is_empty() { own.text.unwrap_or_default().to_owned() } else { figures.join("; ") };
-        table.row([label.to_owned(), said, crate::report::unit(own.unit, lang).to_owned()]);
+        table.row([label.to_owned(), said, unit_of(own.unit, lang).to_owned()]);
     }
     table
 }
@@ -37,12 +38,11 @@ pub(super) fn section(page: &mut Document, own: &Sources<'_>, machine: &Machine<
         Column::text(say!(lang, "lab-available")),
         Column::text(say!(lang, "lab-enough")).min_width(4),
     ]);
-    for limit in limits(plan, machine) {
-        let enough = lang.word(if limit.needed <= limit.available { "lab-yes" } else { "lab-no" });
-        let unit = lang.word(limit.unit);
-        let side = |value: f64| format!("{} {unit}", lang.figure(&short(value))).trim_end().to_owned();
-        let row = [lang.word(limit.name).to_owned(), side(limit.needed), side(limit.available), enough.to_owned()];
-        table.row(row);
+    for demand in demands(plan, machine) {
+        let enough = lang.word(if demand.is_met() { "lab-yes" } else { "lab-no" });
+        let (name, unit, [needed, available]) = said(&demand);
+        let side = |value: f64| lang.figure(&short(value)) + " " + unit_of(unit, lang);
+        table.row([lang.word(name).to_owned(), side(needed), side(available), enough.to_owned()]);
     }
     page.push(table);
     let key = match (plan.has_errors() || own.warning.is_some(), own.left.is_empty()) {
@@ -55,36 +55,19 @@ pub(super) fn section(page: &mut Document, own: &Sources<'_>, machine: &Machine<
     page.push(Block::List(own.left.iter().map(|left| Inlines::sentence(left).into()).collect()));
 }
 
-struct Limit {
-    name: &'static str,
-    needed: f64,
-    available: f64,
-    unit: &'static str,
-}
-
-fn limits(plan: &Plan, machine: &Machine<'_>) -> Vec<Limit> {
-    let here = || plan.holes.iter().flat_map(|hole| &hole.transitions).filter(|own| !own.elsewhere);
-    let most = |of: &dyn Fn(&Transition) -> Option<f64>| here().filter_map(of).fold(0.0, f64::max);
-    let of = |own: &dyn Fn(&Conditions) -> Option<f64>| most(&|it| own(&it.conditions));
-    let span = |of: &dyn Fn(&Point) -> Micrometres| {
-        let all = || plan.part.holes.iter().flat_map(|hole| &hole.at).map(of);
-        all().max().zip(all().min()).map_or(0.0, |(most, least)| (most - least).to_mm())
-    };
-    let longest = |of: &dyn Fn(&ToolPlan) -> Micrometres| plan.tools.iter().map(of).max().unwrap_or_default().to_mm();
-    let limit = |name, needed, available, unit| Limit { name, needed, available, unit };
-    let mut all = vec![
-        limit("lab-span-x", span(&|at| at.x), machine.travel_x.to_mm(), "unit-mm"),
-        limit("lab-span-y", span(&|at| at.y), machine.travel_y.to_mm(), "unit-mm"),
-        limit("lab-tool-length", longest(&|tool| tool.length_mm), machine.overhang_max.to_mm(), "unit-mm"),
-        limit("lab-tool-diameter", longest(&|tool| tool.diameter_mm), machine.tool_diameter_max.to_mm(), "unit-mm"),
-        limit("lab-power", of(&|own| own.power_kw.map(|it| it.0)), machine.spindle_power.0, "lab-kw"),
-        limit("lab-torque", of(&|own| own.torque_n_m.map(|it| it.0)), machine.spindle_torque.0, "lab-nm"),
-        limit("lab-thrust", of(&|own| own.axial_force_n.map(|it| it.0)), machine.thrust.0, "lab-n"),
-    ];
-    if let Some(mass) = plan.part.mass_kg {
-        all.push(limit("lab-mass", mass, machine.load_max_kg, "lab-kg"));
+/// The name of a demand, its unit, and both of its sides in that unit.
+fn said(demand: &Demand) -> (&'static str, Unit, [f64; 2]) {
+    let mm = |own: &Beside<Micrometres>| [own.needed.to_mm(), own.available.to_mm()];
+    match demand {
+        Demand::SpanX(own) => ("lab-span-x", Unit::Millimetre, mm(own)),
+        Demand::SpanY(own) => ("lab-span-y", Unit::Millimetre, mm(own)),
+        Demand::Assembly(own) => ("lab-tool-length", Unit::Millimetre, mm(own)),
+        Demand::ToolDiameter(own) => ("lab-tool-diameter", Unit::Millimetre, mm(own)),
+        Demand::Power(own) => ("lab-power", Unit::Kilowatt, [own.needed.0, own.available.0]),
+        Demand::Torque(own) => ("lab-torque", Unit::NewtonMetre, [own.needed.0, own.available.0]),
+        Demand::Thrust(own) => ("lab-thrust", Unit::Newton, [own.needed.0, own.available.0]),
+        Demand::MassKg(own) => ("lab-mass", Unit::Kilogram, [own.needed, own.available]),
     }
-    all
 }
 
 /// A figure with as many places as a reader of a characteristic wants.

@@ -12,12 +12,13 @@ use super::PARTS;
 
 /// The JSON Schema of the file.
 pub fn schema() -> Schema {
-    schema_for!(ReportFile)
+    schema_for!(TitleBlock)
 }
 
 forms! {
     /// The title block of `technolog report --title`. Everything may be left out.
-    pub struct ReportFile {
+    #[derive(Default, PartialEq, Eq)]
+    pub struct TitleBlock {
         /// University, plant.
         pub institution: Option<String>,
         /// Department, workshop.
@@ -47,41 +48,10 @@ forms! {
     }
 }
 
-/// A title block.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct TitleBlock {
-    /// University, plant.
-    pub institution: Option<String>,
-    /// Department, workshop.
-    pub department: Option<String>,
-    /// The name of the work.
-    pub work: Option<String>,
-    /// Its author.
-    pub author: Option<String>,
-    /// The author's group.
-    pub group: Option<String>,
-    /// The variant of the task.
-    pub variant: Option<String>,
-    /// Who accepts it.
-    pub lecturer: Option<String>,
-    /// The date, as it is to be printed.
-    pub date: Option<String>,
-    /// The aim of the work.
-    pub aim: Option<String>,
-    /// The task in words.
-    pub task: Option<String>,
-    /// How the fixture locates the part.
-    pub fixture: Option<String>,
-    /// The author's conclusions.
-    pub conclusions: Option<String>,
-    /// The parts that are printed, by number; none: all.
-    pub parts: Vec<u8>,
-}
-
 impl TitleBlock {
     /// Whether a part is printed.
     pub fn has(&self, number: u8) -> bool {
-        self.parts.is_empty() || self.parts.contains(&number)
+        self.parts.as_ref().is_none_or(|parts| parts.contains(&number))
     }
 
     /// The lines of the block that are filled in, each with the key of its label.
@@ -119,25 +89,25 @@ pub fn read_title(file: &str, text: &str) -> Result<TitleBlock, Vec<Diagnostic>>
 fn title(root: &Node, problems: &mut Problems) -> Option<TitleBlock> {
     let mut fields = problems.map(root)?;
     let title = TitleBlock {
-        institution: line(&mut fields, ReportFile::institution, problems),
-        department: line(&mut fields, ReportFile::department, problems),
-        work: line(&mut fields, ReportFile::work, problems),
-        author: line(&mut fields, ReportFile::author, problems),
-        group: line(&mut fields, ReportFile::group, problems),
-        variant: line(&mut fields, ReportFile::variant, problems),
-        lecturer: line(&mut fields, ReportFile::lecturer, problems),
-        date: line(&mut fields, ReportFile::date, problems),
-        aim: line(&mut fields, ReportFile::aim, problems),
-        task: line(&mut fields, ReportFile::task, problems),
-        fixture: line(&mut fields, ReportFile::fixture, problems),
-        conclusions: line(&mut fields, ReportFile::conclusions, problems),
-        parts: fields.take(ReportFile::parts).map(|node| parts(node, problems)).unwrap_or_default(),
+        institution: line(&mut fields, TitleBlock::institution, problems),
+        department: line(&mut fields, TitleBlock::department, problems),
+        work: line(&mut fields, TitleBlock::work, problems),
+        author: line(&mut fields, TitleBlock::author, problems),
+        group: line(&mut fields, TitleBlock::group, problems),
+        variant: line(&mut fields, TitleBlock::variant, problems),
+        lecturer: line(&mut fields, TitleBlock::lecturer, problems),
+        date: line(&mut fields, TitleBlock::date, problems),
+        aim: line(&mut fields, TitleBlock::aim, problems),
+        task: line(&mut fields, TitleBlock::task, problems),
+        fixture: line(&mut fields, TitleBlock::fixture, problems),
+        conclusions: line(&mut fields, TitleBlock::conclusions, problems),
+        parts: fields.take(TitleBlock::parts).map(|node| parts(node, problems)),
     };
     fields.finish(problems);
     Some(title)
 }
 
-fn line(fields: &mut Fields<'_, ReportFile>, key: KeyOf<ReportFile>, problems: &mut Problems) -> Option<String> {
+fn line(fields: &mut Fields<'_, TitleBlock>, key: KeyOf<TitleBlock>, problems: &mut Problems) -> Option<String> {
     fields.take(key).and_then(|node| problems.lines(node)).map(str::to_owned)
 }
 

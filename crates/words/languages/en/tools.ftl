@@ -45,6 +45,7 @@ least-screw = no thinner screw than M{ $value } is set under a strap
 screw = { $needed } is needed, { $taken } taken: bears { $bears } N
 no-screw = no screw bears { $force } N per clamp ({ $clamps })
 no-screw-for-slot = T-slots of { $slot } mm take screw { $screw } at most: { $bears } N < { $force } N on each clamp ({ $clamps }); cut lighter, or take a fixture of your own
+straps-overlap = the straps at { $one } and { $other } would overlap
 strap-near-hole = the strap of screw { $screw }, { $width } mm wide, leaves the tools of hole { $hole } less than { $least } mm beside it
 strap = strap of screw { $screw }: { $width } mm wide, { $height } mm over the face with its nut
 screw-too-weak = screw { $screw } bears { $bears } N, and each clamp takes { $force } N; { $needed } is needed

@@ -41,7 +41,7 @@ impl Chooser<'_, '_> {
                 _ if other.at_best.len() > winner.at_best.len() => {
                     other.at_best.first().cloned().unwrap_or_else(|| Note::new("misses-unknown"))
                 }
-                _ if other.over_floor() > winner.over_floor().max(self.bar_gap) => {
+                _ if other.stops_high(self.bar_gap) && !winner.stops_high(self.bar_gap) => {
                     Note::new("lost-by-floor").with("left", other.over_floor()).with("instead", winner.over_floor())
                 }
                 _ if more > SAME && more <= near_tie * time.0 => Note::new("lost-by-little")

@@ -37,9 +37,10 @@ impl PlannedJob {
         let mut job = job::make(&plan, &shop)?;
         if language.leave(&mut plan) {
             // What the machine could not do with the tools that are left may be no fault any more.
-            plan.findings.retain(|finding| !job.findings.contains(finding));
+            plan.findings.retain(|finding| !job.of_plan.contains(finding));
             job = job::make(&plan, &shop)?;
-            job::timed(&mut plan, &job, &shop)?;
+            job::tell(&mut plan, &job, &shop)?;
+            note::Finding::in_order(&mut plan.findings);
         }
         let tolerated = Tolerated::read(&plan.part, knowledge)?;
         let tap_word = language.tap_word();

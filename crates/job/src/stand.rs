@@ -1,15 +1,15 @@
 //! Where the part stands in each set-up, and its zeros, as the job has them.
 
-use crate::job::{Job, SetUp};
 use crate::machine::Machine;
 use crate::part::{Face, Point};
 use crate::plan::{Plan, Stand, Touched};
 use crate::units::Micrometres;
 
+use super::{Job, SetUp, frame};
+
 /// How the part stands in each set-up of the job of a plan.
-pub fn stands(plan: &Plan, job: &Job, machine: &Machine<'_>) -> Vec<Stand> {
-    let stand = |(setup, frame)| stand(plan, job, setup, (frame, machine));
-    job.setups.iter().zip(54..).map(stand).collect()
+pub(super) fn stands(plan: &Plan, job: &Job, machine: &Machine<'_>) -> Vec<Stand> {
+    job.setups.iter().enumerate().map(|(index, setup)| stand(plan, job, setup, (frame(index), machine))).collect()
 }
 
 fn stand(plan: &Plan, job: &Job, setup: &SetUp, (frame, machine): (u8, &Machine<'_>)) -> Stand {
