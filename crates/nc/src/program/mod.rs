@@ -7,6 +7,7 @@
 
 mod alone;
 mod block;
+mod brought;
 pub mod control_2c42_65;
 mod expression;
 pub mod iso;

@@ -12,6 +12,7 @@ use super::words::{ADDRESSES, BlockWords, Function, WordValue, place};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning, geometry};
 use crate::note::{Figure, IntoFigure, Note};
+use crate::program::brought::{Named, Open};
 use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
 use crate::program::{Fault, Setting, Subject, TextSpan};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute};
@@ -156,6 +157,8 @@ impl Maker<'_> {
         if let Some(tool) = self.take(words, 'T') {
             let number = tool.millionths / 1_000_000;
             self.state.wanted = u32::try_from(number).unwrap_or_default();
+            let open = self.state.registers.names(self.state.wanted);
+            self.never_came(open);
             self.state.tool_named = number != 0 || self.control.is(Q::ToolTakenOut);
             let places = self.machine.magazine;
             if number > places as i64 {
@@ -223,6 +226,8 @@ impl Maker<'_> {
     fn machine_function(&mut self, action: Action, function: Function, words: &BlockWords) {
         match action {
             Action::SpindleClockwise | Action::SpindleCounterclockwise => {
+                    let open = self.state.registers.ends();
+                    self.never_came(open);
                 if self.state.speed == 0.0 {
                     self.fault("spindle-without-speed", function.span);
                 } else if std::mem::take(&mut self.state.speed_of_before) {
@@ -305,7 +310,7 @@ impl Maker<'_> {
         self.state.height_known = true;
         (self.state.feed_of_before, self.state.speed_of_before) = (self.state.feed_used, self.state.speed_used);
         self.state.tool = self.state.wanted;
-        self.state.register = None;
+        self.state.registers.brings(self.state.wanted);
         self.push(Motion::ToolChange { tool: self.state.wanted });
     }
 
@@ -374,12 +379,11 @@ impl Maker<'_> {
             };
             corrector = number;
             value = self.corrector(number, function).unwrap_or_default();
-            // T alone names the next tool; with its length the one before would go down.
-            let (wanted, tool) = (self.state.wanted, self.state.tool);
-            let before = if number > 0 { self.state.register.replace(number) } else { None };
-            let of_wanted = number == wanted || before.is_some_and(|before| before != number);
-            if number > 0 && of_wanted && wanted != tool && self.control.changes_tools() {
-                self.report("tool-not-brought", function.span, &[("tool", wanted.into_figure())]);
+            let named = self.named();
+            if self.control.changes_tools()
+                && self.state.registers.takes(number, named, function.span, self.block.number)
+            {
+                self.report("tool-not-brought", function.span, &[("tool", named.wanted.into_figure())]);
             }
         }
         self.state.length = value;
@@ -398,6 +402,19 @@ impl Maker<'_> {
     /// Whether the block sets the length offset by a value: Z is no way then.
     pub(super) fn offset_by_value(&self, words: &BlockWords) -> bool {
         let known = words.function(Group::Length).and_then(|function| self.control.g.get(&function.code));
+    /// The tool in the spindle and that of T.
+    const fn named(&self) -> Named {
+        Named { tool: self.state.tool, wanted: self.state.wanted }
+    }
+
+    /// A tool that never came, and whose length may have acted.
+    fn never_came(&mut self, open: Option<Open>) {
+        if let Some(Open { tool, span, block }) = open {
+            let fault = fault("tool-not-brought", span, block).with("tool", tool);
+            self.faults.push(fault);
+        }
+    }
+
         known.is_some_and(|known| known.effect == Effect::OffsetValue)
     }
 
@@ -420,7 +437,7 @@ impl Maker<'_> {
             self.fault("motion-missing", function.span);
         }
         // T alone names the tool that the operator brings at the next stop.
-        let (wanted, tool) = (self.state.wanted, self.state.tool);
+        let Named { tool, wanted } = self.named();
         if wanted != tool && tool > 0 && !self.control.changes_tools() {
             self.report("tool-not-brought", function.span, &[("tool", wanted.into_figure())]);
         }

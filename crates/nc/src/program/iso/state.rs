@@ -8,6 +8,7 @@ use super::kept::Kept;
 use super::zeros::SYSTEMS;
 use crate::motion::{Axis, Plane, Position, Turning};
 use crate::program::Setting;
+use crate::program::brought::Registers;
 use crate::program::limits::Floating;
 use crate::units::Micrometres;
 
@@ -49,8 +50,8 @@ pub(super) struct ControlState {
     pub tool_named: bool,
     /// The tool in the spindle.
     pub tool: u32,
-    /// The offset register that the tool in the spindle has had.
-    pub register: Option<u32>,
+    /// The offset registers that the tools have had.
+    pub registers: Registers,
     /// What G43 adds to Z.
     pub length: Micrometres,
     /// The zeros of the systems, G54 to G59.3, machine coordinates, and by which zero that is not known they are counted.
@@ -95,7 +96,7 @@ impl ControlState {
             wanted: 0,
             tool_named: false,
             tool: 0,
-            register: None,
+            registers: Registers::default(),
             length: Micrometres::ZERO,
             zeros: [[None; 3]; SYSTEMS],
             shift: [Micrometres::ZERO; 3],
