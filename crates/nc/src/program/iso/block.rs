@@ -444,7 +444,9 @@ impl Maker<'_> {
         let value = given.length(self.state.inches());
         let known = &self.setting.correctors;
         if !known.is_empty() && !known.values().any(|own| *own == value) {
-            self.report("offset-of-no-tool", given.span, &[("value", value.into_figure())]);
+            let fault = self.fault("offset-of-no-tool", given.span);
+            fault.note = Note::new("offset-of-no-tool").with("value", value);
+            fault.of_program_alone = true;
         }
         self.state.length = value;
         self.push(Motion::LengthCorrection { axis: Axis::Z, corrector: None, value });
