@@ -7,7 +7,7 @@
 
 use super::control::{Action, Characteristic as Q, Control, Effect, Group};
 use super::rules::fault;
-use super::state::ControlState;
+use super::state::{ControlState, User};
 use super::words::{ADDRESSES, BlockWords, Function, WordValue, place};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning, geometry};
@@ -136,7 +136,7 @@ impl Maker<'_> {
         let per_minute = self.state.mode(Group::FeedMode).is_none_or(|mode| mode == 940);
         let by_time = self.state.mode(Group::FeedMode) == Some(930);
         if let Some(feed) = self.take(words, 'F') {
-            (self.state.feed_of_before, self.state.feed_used) = (false, false);
+            self.state.feed_user = User::Nobody;
             self.state.feed = feed.value() * if self.state.inches() && !by_time { 25.4 } else { 1.0 };
             let limit = self.machine.feed_max.0;
             if per_minute && self.state.feed > limit {
@@ -144,7 +144,7 @@ impl Maker<'_> {
             }
         }
         if let Some(speed) = self.take(words, 'S') {
-            (self.state.speed_of_before, self.state.speed_used) = (false, false);
+            self.state.speed_user = User::Nobody;
             self.state.speed = speed.value();
             if let Some((code, note)) = speed_off_steps(self.machine, self.state.speed) {
                 self.fault(code, speed.span).note = note;
@@ -189,9 +189,21 @@ impl Maker<'_> {
     /// The spindle from this block on, its speed by S and the operator's switch.
     pub(super) fn spindle(&mut self, turning: Turning) {
         self.state.turning = turning;
-        self.state.speed_used |= turning != Turning::Stopped;
+        if turning != Turning::Stopped && self.state.speed_user == User::Nobody {
+            self.state.speed_user = User::ToolInSpindle;
+        }
         let speed = self.state.speed * self.setting.speed_override as f64 / 100.0;
         self.push(Motion::Spindle { turning, speed_rpm: RevsPerMinute(speed) });
+    }
+
+    /// The program starts the spindle, by M3, M4 or a tap that does: with an S, and that of the tool in it.
+    pub(super) fn start_spindle(&mut self, turning: Turning, span: TextSpan) {
+        if self.state.speed == 0.0 {
+            self.fault("spindle-without-speed", span);
+        } else if self.state.speed_user.uses() {
+            self.fault("speed-of-tool-before", span).of_program_alone = true;
+        }
+        self.spindle(turning);
     }
 
     /// Functions of the start of a block, the tool change first.
@@ -214,6 +226,8 @@ impl Maker<'_> {
             match known.action {
                 Action::Return => after = After::Return(function.span),
                 Action::End => {
+                    let open = self.state.registers.ends();
+                    self.never_came(open);
                     self.push(Motion::End);
                     after = After::End;
                 }
@@ -226,15 +240,9 @@ impl Maker<'_> {
     fn machine_function(&mut self, action: Action, function: Function, words: &BlockWords) {
         match action {
             Action::SpindleClockwise | Action::SpindleCounterclockwise => {
-                    let open = self.state.registers.ends();
-                    self.never_came(open);
-                if self.state.speed == 0.0 {
-                    self.fault("spindle-without-speed", function.span);
-                } else if std::mem::take(&mut self.state.speed_of_before) {
-                    self.fault("speed-of-tool-before", function.span);
-                }
                 let clockwise = action == Action::SpindleClockwise;
-                self.spindle(if clockwise { Turning::Clockwise } else { Turning::Counterclockwise });
+                let turning = if clockwise { Turning::Clockwise } else { Turning::Counterclockwise };
+                self.start_spindle(turning, function.span);
             }
             Action::SpindleStop => self.spindle(Turning::Stopped),
             Action::CoolantOn | Action::CoolantOff => {
@@ -308,7 +316,11 @@ impl Maker<'_> {
             self.spindle(Turning::Stopped);
         }
         self.state.height_known = true;
-        (self.state.feed_of_before, self.state.speed_of_before) = (self.state.feed_used, self.state.speed_used);
+        // The tool that stands in the spindle already keeps its own.
+        if self.state.wanted != self.state.tool {
+            self.state.feed_user.changes();
+            self.state.speed_user.changes();
+        }
         self.state.tool = self.state.wanted;
         self.state.registers.brings(self.state.wanted);
         self.push(Motion::ToolChange { tool: self.state.wanted });
@@ -390,18 +402,6 @@ impl Maker<'_> {
         self.push(Motion::LengthCorrection { axis: Axis::Z, corrector: Some(corrector), value });
     }
 
-    /// The length of a tool; none, and told, where it is not given.
-    pub(super) fn corrector(&mut self, number: u32, function: Function) -> Option<Micrometres> {
-        let known = self.state.correctors.get(&number).copied().or((number == 0).then_some(Micrometres::ZERO));
-        if known.is_none() {
-            self.report("corrector-unknown", function.span, &[("number", number.into_figure())]);
-        }
-        known
-    }
-
-    /// Whether the block sets the length offset by a value: Z is no way then.
-    pub(super) fn offset_by_value(&self, words: &BlockWords) -> bool {
-        let known = words.function(Group::Length).and_then(|function| self.control.g.get(&function.code));
     /// The tool in the spindle and that of T.
     const fn named(&self) -> Named {
         Named { tool: self.state.tool, wanted: self.state.wanted }
@@ -415,6 +415,18 @@ impl Maker<'_> {
         }
     }
 
+    /// The length of a tool; none, and told, where it is not given.
+    pub(super) fn corrector(&mut self, number: u32, function: Function) -> Option<Micrometres> {
+        let known = self.state.correctors.get(&number).copied().or((number == 0).then_some(Micrometres::ZERO));
+        if known.is_none() {
+            self.report("corrector-unknown", function.span, &[("number", number.into_figure())]);
+        }
+        known
+    }
+
+    /// Whether the block sets the length offset by a value: Z is no way then.
+    pub(super) fn offset_by_value(&self, words: &BlockWords) -> bool {
+        let known = words.function(Group::Length).and_then(|function| self.control.g.get(&function.code));
         known.is_some_and(|known| known.effect == Effect::OffsetValue)
     }
 
@@ -463,15 +475,19 @@ impl Maker<'_> {
         if self.state.turning == Turning::Stopped {
             self.fault("feed-without-spindle", span);
         }
+        self.feed_by_word(length, span)
+    }
+
+    /// The same of a cycle that starts the spindle itself.
+    pub(super) fn feed_by_word(&mut self, length: Option<f64>, span: TextSpan) -> MillimetresPerMinute {
         let times = match self.state.mode(Group::FeedMode) {
             Some(930) => length.unwrap_or_default(),
             Some(950) => self.state.speed * self.setting.speed_override as f64 / 100.0,
             _ => 1.0,
         };
-        if std::mem::take(&mut self.state.feed_of_before) {
-            self.fault("feed-of-tool-before", span);
+        if self.state.feed_user.uses() {
+            self.fault("feed-of-tool-before", span).of_program_alone = true;
         }
-        self.state.feed_used = true;
         let feed = self.state.feed * times * self.setting.feed_override as f64 / 100.0;
         // A way that goes nowhere has no feed by time, and needs none.
         let nowhere = times == 0.0 && length == Some(0.0) && self.state.feed > 0.0;
