@@ -111,8 +111,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let (plan, job) = (&planned.plan, &planned.job);
     let (text, findings, reason) = (written.text(), made.findings(), made.reason());
     // Behind the last number a writer goes on with the first, which may be a program of somebody else.
-    if let Some(number) = args.number.filter(|number| written.numbers().iter().any(|used| used < number)) {
-        let count = written.numbers().iter().filter(|used| **used != number).count();
+    if let Some(number) = args.number.filter(|number| written.numbers.iter().any(|used| used < number)) {
+        let count = written.numbers.iter().filter(|used| **used != number).count();
         let message = say!(context.lang, "program-numbers-run-out", number = number, count = count);
         return Err(Diagnostic::error("bad-number", message, None).into());
     }

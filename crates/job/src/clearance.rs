@@ -151,7 +151,8 @@ pub(super) fn go_over(
             let hit = |pair: &[Point]| one.outline.is_hit_by_rapid(pair[0], pair[1], radius + margin);
             points.windows(2).any(hit)
         });
-        let highest = in_the_way.max_by_key(|one| one.height);
+        // Of two of one height what the shop has is no proposal.
+        let highest = in_the_way.max_by_key(|one| (one.height, !one.proposed));
         let over = match (part.fixture.retract, highest) {
             (Some(retract), _) => retract,
             (None, Some(one)) => one.height + room,
@@ -164,8 +165,10 @@ pub(super) fn go_over(
             raised |= out > cycle.out;
             cycle.out = out;
         }
+        let raises = highest.filter(|_| raised && part.fixture.retract.is_none());
+        work.over_straps = raises.is_some_and(|one| one.proposed);
         // How high straps of the plan's own are stands in its set-up.
-        if let Some(one) = highest.filter(|one| raised && !one.proposed && part.fixture.retract.is_none()) {
+        if let Some(one) = raises.filter(|one| !one.proposed) {
             let note = Note::new("goes-over").with("tool", work.tool).with("height", over);
             let shown = format!("[{}; {}]", one.at.x, one.at.y);
             findings.push(Finding::of_part(Severity::Note, note.with("at", shown)));

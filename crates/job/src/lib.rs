@@ -154,6 +154,9 @@ pub struct ToolWork {
     pub because: Vec<Because>,
     /// The cycles it runs; stops name them by their place here.
     pub cycles: Vec<Cycle>,
+    /// Whether it goes higher only over straps that the plan proposes itself, and may choose lower.
+    #[serde(skip)]
+    pub over_straps: bool,
     /// The points, in order.
     pub stops: Vec<Stop>,
 }

@@ -137,6 +137,7 @@ fn rounds(
             coolant: false,
             because: Vec::new(),
             cycles: Vec::new(),
+            over_straps: false,
             stops: Vec::new(),
         };
         // Cycles by group and transition, so that each is computed once.

@@ -2,6 +2,7 @@
 
 use std::sync::LazyLock;
 
+use technolog::note::Severity;
 use technolog::program::Language;
 use technolog::units::Micrometres;
 use technolog_testing::proof_bench::ProofBench;
@@ -77,6 +78,24 @@ fn a_program_that_knows_no_clamps_is_told_of_them() {
     for (control, language) in &*LANGUAGES {
         let codes = clamped.codes(language, &bare.written(language));
         assert!(codes.contains(&"through-obstacle"), "{control}: {codes:?}");
+    }
+}
+
+/// Straps that the plan proposes may be lower, so a lower way over them is a note; what the shop has is as high as it is, even
+/// where straps are proposed beside it.
+#[test]
+fn a_low_way_is_a_note_only_over_straps_of_the_plan() {
+    let obstacle = |height: u32| format!(", obstacles: [{{outline: [[-20, -20], [20, 20]], height: {height}}}]");
+    for (lower, fixture, severity) in
+        [(", retract: 38".to_owned(), String::new(), Severity::Note), (obstacle(48), obstacle(50), Severity::Doubtful)]
+    {
+        let (lower, bench) = (bench(&lower), bench(&fixture));
+        assert!(bench.job.setups[0].standing.iter().any(|one| one.proposed), "{fixture}");
+        for (control, language) in &*LANGUAGES {
+            let proof = bench.run(language, &lower.written(language)).1;
+            let low: Vec<_> = proof.findings.iter().filter(|one| one.code.name() == "travel-low").collect();
+            assert!(!low.is_empty() && low.iter().all(|one| one.severity == severity), "{control} {fixture}: {low:?}");
+        }
     }
 }
 

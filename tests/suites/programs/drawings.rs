@@ -130,7 +130,7 @@ fn written() -> WrittenProgram {
     put("N60 T2 M6", LineRole::ToolChange, Some(1), None);
     put("/N65 M1", LineRole::Frame, None, None);
     put("N70 M2", LineRole::End, None, None);
-    WrittenProgram { lines }
+    WrittenProgram { lines, ..WrittenProgram::default() }
 }
 
 #[test]
@@ -177,7 +177,15 @@ fn no_transition_is_lost_or_said_twice() {
                 put("X0 Y0", LineRole::Cycle, Some(stop.cycle).filter(|_| names_cycles));
             }
         }
-        let sheet = encoding_sheet(&WrittenProgram { lines }, &job, &plan, "2c42-65", &KNOWLEDGE, Lang::EN).unwrap();
+        let sheet = encoding_sheet(
+            &WrittenProgram { lines, ..WrittenProgram::default() },
+            &job,
+            &plan,
+            "2c42-65",
+            &KNOWLEDGE,
+            Lang::EN,
+        )
+        .unwrap();
         let transitions: Vec<&str> = sheet.rows.iter().filter_map(|row| row.transition.as_deref()).collect();
         let transitions = transitions.join("; ").to_lowercase();
         for hole in &plan.holes {

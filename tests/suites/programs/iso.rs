@@ -379,6 +379,43 @@ proptest! {
     }
 }
 
+/// F of G93 counts ways in a minute and has no unit of length, so no inches are made of it nor millimetres of them.
+#[test]
+fn a_feed_by_time_is_read_back_as_it_was_given() {
+    let (faults, steps) = run(&LINUXCNC, "G20 G90 G17 S500 M3\nG93 G1 X1 F2\nX#<_feed> F2\nG94 F8\nX0 Y#<_feed>\nM2\n");
+    assert!(!faults.iter().any(Fault::is_error), "{faults:?}");
+    let fed = steps.iter().filter(|step| matches!(step.motion, Motion::Feed { .. }));
+    let at: Vec<String> = fed.map(|step| format!("{} {}", step.at.x, step.at.y)).collect();
+    assert_eq!(at, ["25.4 0", "50.8 0", "0 203.2"]);
+}
+
+/// G33.1 does not follow the feed switch: with the switch at nothing its pitch is not told as endless.
+#[test]
+fn a_tap_under_a_feed_switch_at_nothing_has_no_pitch() {
+    let machine = Machine::find(&KNOWLEDGE, "ir500pmf4").unwrap();
+    let setting = Setting { feed_override: 0, ..Setting::default() };
+    let text = "G21 G90 G17 G94 S475 M3\nG33.1 Z-10 K1\nM5\nM2\n";
+    let faults = LINUXCNC.check(text, &machine, &setting, &mut Vec::<MotionStep>::new());
+    assert!(faults.iter().all(|fault| !fault.is_error() && !fault.code.starts_with("tap-feed")), "{faults:?}");
+}
+
+/// What a proof with the part says better is marked: whose feed and speed act, dwells, offsets; not a tool that no M6 brought.
+#[test]
+fn what_a_proof_says_better_is_marked() {
+    for (folder, marked) in [
+        ("bad-of-tool-before", vec!["feed-of-tool-before", "speed-of-tool-before"]),
+        ("bad-tool-not-brought", vec![]),
+        ("bad-only-register", vec!["offset-of-strange-number"]),
+    ] {
+        let text = fs::read_to_string(root().join("tests/programs-fanuc").join(folder).join("program.nc")).unwrap();
+        let faults = run(&FANUC, &text).0;
+        assert!(faults.iter().any(|fault| !fault.of_program_alone), "{folder}: {faults:?}");
+        let mut codes: Vec<_> = faults.iter().filter(|fault| fault.of_program_alone).map(|fault| fault.code).collect();
+        codes.sort_unstable();
+        assert_eq!(codes, marked, "{folder}");
+    }
+}
+
 #[test]
 fn no_name_of_a_part_becomes_a_comment_that_acts() {
     let machine = Machine::find(&KNOWLEDGE, "ir500pmf4").unwrap();

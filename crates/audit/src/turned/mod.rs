@@ -276,7 +276,17 @@ pub const HELD: &str = "turned-held";
 
 fn fault(code: &'static str, severity: Severity, note: Note, line: u32) -> Fault {
     let span = TextSpan { line, column: 1, width: 1 };
-    Fault { code, severity, rule: RULE, block: None, calls: Vec::new(), span, subject: None, note }
+    Fault {
+        code,
+        severity,
+        rule: RULE,
+        block: None,
+        calls: Vec::new(),
+        span,
+        subject: None,
+        note,
+        of_program_alone: false,
+    }
 }
 
 /// Why a program cannot be compared with the part.

@@ -93,6 +93,16 @@ struct Cut {
     stopped: bool,
 }
 
+/// A feed straight down.
+#[derive(Clone, Copy, Debug)]
+struct Down {
+    /// The feed, mm/min.
+    feed: f64,
+    /// How the spindle turned then.
+    turning: Turning,
+    speed: f64,
+}
+
 /// A finding: its block, its code, and the same with its figures.
 pub(super) type Told = (BlockRef, &'static str, Note);
 
@@ -101,9 +111,10 @@ pub(super) type Told = (BlockRef, &'static str, Note);
 pub(super) struct Watch {
     habits: Habits,
     at: Position,
-    /// The feed of the last motion where it was straight down, mm/min.
-    down: Option<f64>,
-    /// A feed straight down with the spindle turning backwards: a drill, unless it turns round at the bottom.
+    /// The last motion where it was a feed straight down.
+    down: Option<Down>,
+    /// The first of such feeds, one behind another, with the spindle turning backwards: a drill, unless it turns round at the
+    /// bottom.
     backwards: Option<BlockRef>,
     turning: Turning,
     speed: f64,
@@ -143,7 +154,8 @@ impl Watch {
             Motion::Rapid => self.fed(None),
             Motion::Feed { feed_mm_per_min } => {
                 let upright = from.x == step.at.x && from.y == step.at.y;
-                self.fed(Some(feed_mm_per_min.0).filter(|_| upright && step.at.z < from.z));
+                let down = Down { feed: feed_mm_per_min.0, turning: self.turning, speed: self.speed };
+                self.fed(Some(down).filter(|_| upright && step.at.z < from.z));
                 self.cuts_backwards(upright, step.block);
                 self.cuts_with(step.block);
             }
@@ -172,10 +184,11 @@ impl Watch {
         }
     }
 
-    /// A motion that is a feed straight down, or none: then the way down before it was no tap.
-    fn fed(&mut self, down: Option<f64>) {
+    /// A motion that is a feed straight down, or none: then the way down before it was no tap. A tap may go down in several
+    /// blocks.
+    fn fed(&mut self, down: Option<Down>) {
         self.down = down;
-        if let Some(block) = self.backwards.take() {
+        if let Some(block) = self.backwards.take_if(|_| down.is_none()) {
             let code = "drilling-backwards";
             self.tell(block, code, Note::new(code).with("tool", self.tool));
         }
@@ -191,19 +204,24 @@ impl Watch {
             let code = "milling-backwards";
             self.tell(block, code, Note::new(code).with("tool", self.tool));
         } else if self.down.is_some() {
-            self.backwards = Some(block);
+            self.backwards.get_or_insert(block);
         }
     }
 
-    /// A spindle that turns round at the bottom of a feed cuts a thread: then the feed of a turn is its pitch.
+    /// A spindle that turns round at the bottom of a feed cuts a thread: then the feed of a turn is its pitch. It may stop
+    /// before it turns back.
     fn turns_round(&mut self, turning: Turning, block: BlockRef) {
-        let (Some(feed), true) = (self.down, turning != self.turning) else { return };
-        if turning == Turning::Stopped || self.turning == Turning::Stopped || self.speed <= 0.0 {
+        let Some(down) = self.down.filter(|down| down.turning != turning) else { return };
+        if turning == Turning::Stopped || down.turning == Turning::Stopped {
             return;
         }
         self.backwards = None;
         let (of_feed, of_speed) = self.habits.overrides;
-        let (feed, speed) = (feed / of_feed, self.speed / of_speed);
+        let (feed, speed) = (down.feed / of_feed, down.speed / of_speed);
+        // With a switch at nothing there is no feed for a turn.
+        if !(feed > 0.0 && speed > 0.0 && feed.is_finite() && speed.is_finite()) {
+            return;
+        }
         let pitch = feed / speed;
         let Habits { tap_near, pitches, .. } = &self.habits;
         let near = |known: f64| (pitch / known - 1.0).abs() <= *tap_near;

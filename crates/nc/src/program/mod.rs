@@ -7,6 +7,7 @@
 
 mod alone;
 mod block;
+mod brought;
 pub mod control_2c42_65;
 mod expression;
 pub mod iso;
@@ -186,6 +187,11 @@ pub struct Fault {
     /// What is wrong.
     #[serde(flatten)]
     pub note: Note,
+    /// Whether it is seen in a program by itself and a proof with the part says it better: offsets, dwells, which way the
+    /// spindle turns, whose feed and speed act; the proof compares all of them with the plan. A tool that no change has
+    /// brought is not of these: the proof tells what follows from it, and this the word that is missing.
+    #[serde(skip)]
+    pub of_program_alone: bool,
 }
 
 /// What a fault is about.
@@ -209,13 +215,6 @@ impl Fault {
         self.severity == Severity::Error
     }
 
-    /// Whether it is seen in a program by itself and a proof with the part says it better: offsets, dwells, which way the
-    /// spindle turns.
-    pub fn is_of_program_alone(&self) -> bool {
-        let codes = ["no-length-offset", "length-by-hand", "dwell-unit", "dwell-odd", "tap-feed", "tap-feed-odd"];
-        self.code.starts_with("offset-of-") || self.code.ends_with("-backwards") || codes.contains(&self.code)
-    }
-
     /// Whether nobody may run the program: it is not carried out as written, or what it relies on is not so.
     pub fn is_grave(&self) -> bool {
         self.severity <= Severity::Wrong
@@ -225,7 +224,8 @@ impl Fault {
     fn of(rules: &[Rule], code: &'static str, span: TextSpan, block: Option<u32>) -> Self {
         let rule = rules.iter().find(|(known, ..)| *known == code);
         let (severity, rule) = rule.map_or((Severity::Error, ""), |(_, severity, section)| (*severity, *section));
-        Self { code, severity, rule, block, calls: Vec::new(), span, subject: None, note: Note::new(code) }
+        let (calls, note) = (Vec::new(), Note::new(code));
+        Self { code, severity, rule, block, calls, span, subject: None, note, of_program_alone: false }
     }
 
     /// About that.

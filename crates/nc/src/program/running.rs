@@ -112,7 +112,7 @@ impl<'a, S: Sink> Running<'a, S> {
             for (block, code, note) in self.watch.clone().finish() {
                 let span = TextSpan { line: block.line, column: 1, width: 1 };
                 let mut fault = (self.breach)(code, span, block.number);
-                fault.note = note;
+                (fault.note, fault.of_program_alone) = (note, true);
                 self.report(fault);
             }
         }

@@ -47,6 +47,12 @@ impl Form {
 pub struct WrittenProgram {
     /// Its lines, in order.
     pub lines: Vec<ProgramLine>,
+    /// The numbers of the programs in it, of the main one first where it has one.
+    #[serde(skip)]
+    pub numbers: Vec<u32>,
+    /// The line with the number of the main program, where a remark may stand behind it.
+    #[serde(skip)]
+    pub head: Option<usize>,
 }
 
 impl WrittenProgram {
@@ -54,24 +60,14 @@ impl WrittenProgram {
     /// sign `%` on only where that is the first line, so there the signs go.
     #[must_use]
     pub(super) fn warned(mut self, line: String, keeps_signs: bool) -> Self {
-        self.lines.retain(|line| keeps_signs || line.text != "%");
         let told = ProgramLine { text: line, role: LineRole::Frame, work: None, cycle: None };
         // What stands before the first sign a control does not keep: a remark stands behind the number, too.
-        if let Some(head) = self.lines.iter().position(|line| line.text.starts_with('O')) {
+        if let Some(head) = self.head.take() {
             self.lines.insert(head + 1, told.clone());
         }
+        self.lines.retain(|line| keeps_signs || line.text != "%");
         self.lines.insert(0, told);
         self
-    }
-
-    /// The numbers of the programs in it, of the main one first where it has one.
-    pub fn numbers(&self) -> Vec<u32> {
-        let heads = self.lines.iter().filter(|line| line.role == LineRole::Frame);
-        let number = |line: &ProgramLine| {
-            let digits = line.text.strip_prefix(['O', 'o', ':'])?;
-            digits.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()
-        };
-        heads.filter_map(number).collect()
     }
 
     /// The text of the program file.

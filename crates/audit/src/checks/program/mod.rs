@@ -58,7 +58,7 @@ pub(super) fn check<'a>(
 
     // What a program tells of offsets and dwells by itself the proof says better, by the plan.
     let compared = as_stated.is_ok();
-    let faults = run.faults.iter().filter(|fault| !(compared && fault.is_of_program_alone()));
+    let faults = run.faults.iter().filter(|fault| !(compared && fault.of_program_alone));
     let mut seen: Vec<FindingFacts> = faults.map(|fault| of_fault(fault, &run.steps, &file)).collect();
     let missing = |NotComparable { note, place }: NotComparable| {
         let finding = AuditFinding::new(Severity::Note, Section::Program, "program".to_owned(), note);

@@ -18,6 +18,7 @@ use super::words::{BlockWords, Function, WordValue, letter};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Side, Turning};
 use crate::note::{Figure, IntoFigure, Note};
+use crate::program::brought::{Named, Open};
 use crate::program::limits::{Spans, speed_off_steps};
 use crate::program::{Call, Fault, Setting, Subject, TextSpan};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
@@ -129,6 +130,8 @@ impl Maker<'_> {
         }
         if let Some(tool) = words.get('T') {
             self.state.wanted = u32::try_from(tool.number()).unwrap_or_default();
+            let open = self.state.registers.names(self.state.wanted);
+            self.never_came(open);
             if tool.number() > self.machine.magazine as i64 {
                 let number = tool.number();
                 let fault = fault("tool-beyond-magazine", tool.span, self.block.number).with("tool", number);
@@ -194,6 +197,8 @@ impl Maker<'_> {
                 Action::Return => after = After::Return,
                 Action::End => {
                     self.flush();
+                    let open = self.state.registers.ends();
+                    self.never_came(open);
                     self.push(Motion::End);
                     after = After::End;
                 }
@@ -250,8 +255,15 @@ impl Maker<'_> {
         }
         self.state.height_known = true;
         self.state.tool = self.state.wanted;
-        self.state.register = None;
+        self.state.registers.brings(self.state.wanted);
         self.push(Motion::ToolChange { tool: self.state.tool });
+    }
+
+    /// A tool that never came, and whose length may have acted.
+    fn never_came(&mut self, open: Option<Open>) {
+        if let Some(Open { tool, span, block }) = open {
+            self.tell_fault(fault("tool-not-brought", span, block).with("tool", tool));
+        }
     }
 
     /// G92: the words are the position of the tool in the new system; axes left out keep their zero (3.10.8.1).
@@ -306,12 +318,9 @@ impl Maker<'_> {
             return;
         }
         self.state.length_in_force = corrector;
-        // T alone names the next tool; with its length the one before would go down.
-        let (wanted, tool) = (self.state.wanted, self.state.tool);
-        let before = if corrector > 0 { self.state.register.replace(corrector) } else { None };
-        let of_wanted = corrector == wanted || before.is_some_and(|before| before != corrector);
-        if corrector > 0 && of_wanted && wanted != tool {
-            self.report("tool-not-brought", span, &[("tool", wanted.into_figure())]);
+        let named = Named { tool: self.state.tool, wanted: self.state.wanted };
+        if self.state.registers.takes(corrector, named, span, self.block.number) {
+            self.report("tool-not-brought", span, &[("tool", named.wanted.into_figure())]);
         }
         self.push(Motion::LengthCorrection { axis, corrector: Some(corrector), value });
         if same {

@@ -4,6 +4,7 @@ use super::control::{Control, GROUPS};
 use super::correction::Compensator;
 use crate::motion::{Axis, Position, Turning};
 use crate::program::Setting;
+use crate::program::brought::Registers;
 use crate::program::limits::Floating;
 use crate::units::Micrometres;
 
@@ -34,8 +35,8 @@ pub(super) struct ControlState {
     pub turning: Turning,
     /// T: the tool that the next M06 brings.
     pub wanted: u32,
-    /// The corrector of length that the tool in the spindle has had.
-    pub register: Option<u32>,
+    /// The correctors of length that the tools have had.
+    pub registers: Registers,
     /// The tool in the spindle; 0 before the first M06.
     pub tool: u32,
     /// D and H.
@@ -77,7 +78,7 @@ impl ControlState {
             speed: 0,
             turning: Turning::Stopped,
             wanted: 0,
-            register: None,
+            registers: Registers::default(),
             tool: 0,
             radius_corrector: 0,
             length_corrector: 0,

@@ -7,11 +7,12 @@
 
 use super::control::{Action, Characteristic as Q, Control, Effect, Group};
 use super::rules::fault;
-use super::state::ControlState;
+use super::state::{ControlState, User};
 use super::words::{ADDRESSES, BlockWords, Function, WordValue, place};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning, geometry};
 use crate::note::{Figure, IntoFigure, Note};
+use crate::program::brought::{Named, Open};
 use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
 use crate::program::{Fault, Setting, Subject, TextSpan};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute};
@@ -135,7 +136,7 @@ impl Maker<'_> {
         let per_minute = self.state.mode(Group::FeedMode).is_none_or(|mode| mode == 940);
         let by_time = self.state.mode(Group::FeedMode) == Some(930);
         if let Some(feed) = self.take(words, 'F') {
-            (self.state.feed_of_before, self.state.feed_used) = (false, false);
+            self.state.feed_user = User::Nobody;
             self.state.feed = feed.value() * if self.state.inches() && !by_time { 25.4 } else { 1.0 };
             let limit = self.machine.feed_max.0;
             if per_minute && self.state.feed > limit {
@@ -143,7 +144,7 @@ impl Maker<'_> {
             }
         }
         if let Some(speed) = self.take(words, 'S') {
-            (self.state.speed_of_before, self.state.speed_used) = (false, false);
+            self.state.speed_user = User::Nobody;
             self.state.speed = speed.value();
             if let Some((code, note)) = speed_off_steps(self.machine, self.state.speed) {
                 self.fault(code, speed.span).note = note;
@@ -156,6 +157,8 @@ impl Maker<'_> {
         if let Some(tool) = self.take(words, 'T') {
             let number = tool.millionths / 1_000_000;
             self.state.wanted = u32::try_from(number).unwrap_or_default();
+            let open = self.state.registers.names(self.state.wanted);
+            self.never_came(open);
             self.state.tool_named = number != 0 || self.control.is(Q::ToolTakenOut);
             let places = self.machine.magazine;
             if number > places as i64 {
@@ -186,9 +189,21 @@ impl Maker<'_> {
     /// The spindle from this block on, its speed by S and the operator's switch.
     pub(super) fn spindle(&mut self, turning: Turning) {
         self.state.turning = turning;
-        self.state.speed_used |= turning != Turning::Stopped;
+        if turning != Turning::Stopped && self.state.speed_user == User::Nobody {
+            self.state.speed_user = User::ToolInSpindle;
+        }
         let speed = self.state.speed * self.setting.speed_override as f64 / 100.0;
         self.push(Motion::Spindle { turning, speed_rpm: RevsPerMinute(speed) });
+    }
+
+    /// The program starts the spindle, by M3, M4 or a tap that does: with an S, and that of the tool in it.
+    pub(super) fn start_spindle(&mut self, turning: Turning, span: TextSpan) {
+        if self.state.speed == 0.0 {
+            self.fault("spindle-without-speed", span);
+        } else if self.state.speed_user.uses() {
+            self.fault("speed-of-tool-before", span).of_program_alone = true;
+        }
+        self.spindle(turning);
     }
 
     /// Functions of the start of a block, the tool change first.
@@ -211,6 +226,8 @@ impl Maker<'_> {
             match known.action {
                 Action::Return => after = After::Return(function.span),
                 Action::End => {
+                    let open = self.state.registers.ends();
+                    self.never_came(open);
                     self.push(Motion::End);
                     after = After::End;
                 }
@@ -223,13 +240,9 @@ impl Maker<'_> {
     fn machine_function(&mut self, action: Action, function: Function, words: &BlockWords) {
         match action {
             Action::SpindleClockwise | Action::SpindleCounterclockwise => {
-                if self.state.speed == 0.0 {
-                    self.fault("spindle-without-speed", function.span);
-                } else if std::mem::take(&mut self.state.speed_of_before) {
-                    self.fault("speed-of-tool-before", function.span);
-                }
                 let clockwise = action == Action::SpindleClockwise;
-                self.spindle(if clockwise { Turning::Clockwise } else { Turning::Counterclockwise });
+                let turning = if clockwise { Turning::Clockwise } else { Turning::Counterclockwise };
+                self.start_spindle(turning, function.span);
             }
             Action::SpindleStop => self.spindle(Turning::Stopped),
             Action::CoolantOn | Action::CoolantOff => {
@@ -303,9 +316,13 @@ impl Maker<'_> {
             self.spindle(Turning::Stopped);
         }
         self.state.height_known = true;
-        (self.state.feed_of_before, self.state.speed_of_before) = (self.state.feed_used, self.state.speed_used);
+        // The tool that stands in the spindle already keeps its own.
+        if self.state.wanted != self.state.tool {
+            self.state.feed_user.changes();
+            self.state.speed_user.changes();
+        }
         self.state.tool = self.state.wanted;
-        self.state.register = None;
+        self.state.registers.brings(self.state.wanted);
         self.push(Motion::ToolChange { tool: self.state.wanted });
     }
 
@@ -374,16 +391,28 @@ impl Maker<'_> {
             };
             corrector = number;
             value = self.corrector(number, function).unwrap_or_default();
-            // T alone names the next tool; with its length the one before would go down.
-            let (wanted, tool) = (self.state.wanted, self.state.tool);
-            let before = if number > 0 { self.state.register.replace(number) } else { None };
-            let of_wanted = number == wanted || before.is_some_and(|before| before != number);
-            if number > 0 && of_wanted && wanted != tool && self.control.changes_tools() {
-                self.report("tool-not-brought", function.span, &[("tool", wanted.into_figure())]);
+            let named = self.named();
+            if self.control.changes_tools()
+                && self.state.registers.takes(number, named, function.span, self.block.number)
+            {
+                self.report("tool-not-brought", function.span, &[("tool", named.wanted.into_figure())]);
             }
         }
         self.state.length = value;
         self.push(Motion::LengthCorrection { axis: Axis::Z, corrector: Some(corrector), value });
+    }
+
+    /// The tool in the spindle and that of T.
+    const fn named(&self) -> Named {
+        Named { tool: self.state.tool, wanted: self.state.wanted }
+    }
+
+    /// A tool that never came, and whose length may have acted.
+    fn never_came(&mut self, open: Option<Open>) {
+        if let Some(Open { tool, span, block }) = open {
+            let fault = fault("tool-not-brought", span, block).with("tool", tool);
+            self.faults.push(fault);
+        }
     }
 
     /// The length of a tool; none, and told, where it is not given.
@@ -420,14 +449,16 @@ impl Maker<'_> {
             self.fault("motion-missing", function.span);
         }
         // T alone names the tool that the operator brings at the next stop.
-        let (wanted, tool) = (self.state.wanted, self.state.tool);
+        let Named { tool, wanted } = self.named();
         if wanted != tool && tool > 0 && !self.control.changes_tools() {
             self.report("tool-not-brought", function.span, &[("tool", wanted.into_figure())]);
         }
         let value = given.length(self.state.inches());
         let known = &self.setting.correctors;
         if !known.is_empty() && !known.values().any(|own| *own == value) {
-            self.report("offset-of-no-tool", given.span, &[("value", value.into_figure())]);
+            let fault = self.fault("offset-of-no-tool", given.span);
+            fault.note = Note::new("offset-of-no-tool").with("value", value);
+            fault.of_program_alone = true;
         }
         self.state.length = value;
         self.push(Motion::LengthCorrection { axis: Axis::Z, corrector: None, value });
@@ -444,15 +475,19 @@ impl Maker<'_> {
         if self.state.turning == Turning::Stopped {
             self.fault("feed-without-spindle", span);
         }
+        self.feed_by_word(length, span)
+    }
+
+    /// The same of a cycle that starts the spindle itself.
+    pub(super) fn feed_by_word(&mut self, length: Option<f64>, span: TextSpan) -> MillimetresPerMinute {
         let times = match self.state.mode(Group::FeedMode) {
             Some(930) => length.unwrap_or_default(),
             Some(950) => self.state.speed * self.setting.speed_override as f64 / 100.0,
             _ => 1.0,
         };
-        if std::mem::take(&mut self.state.feed_of_before) {
-            self.fault("feed-of-tool-before", span);
+        if self.state.feed_user.uses() {
+            self.fault("feed-of-tool-before", span).of_program_alone = true;
         }
-        self.state.feed_used = true;
         let feed = self.state.feed * times * self.setting.feed_override as f64 / 100.0;
         // A way that goes nowhere has no feed by time, and needs none.
         let nowhere = times == 0.0 && length == Some(0.0) && self.state.feed > 0.0;

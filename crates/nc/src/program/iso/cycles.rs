@@ -76,19 +76,13 @@ impl Maker<'_> {
         if !named {
             return;
         }
-        // Some tap without M3, where the spindle follows the feed, and stand again behind it.
-        let starts = cycle.bottom == Bottom::Reversed
-            && self.state.turning == Turning::Stopped
-            && (self.state.tap_prepared || self.control.tap_preparation.is_none())
-            && self.control.is(Q::TapStartsSpindle);
-        if starts {
-            if self.state.speed == 0.0 {
-                self.fault("spindle-without-speed", span);
-            }
-            self.spindle(Turning::Clockwise);
-        }
+        let starts = self.starts_by_tap(&cycle);
         // Before what else may be wrong with it: a cycle without a feed must not be overlooked.
-        self.feed(span);
+        if starts {
+            self.feed_by_word(None, span);
+        } else {
+            self.feed(span);
+        }
         let missing = cycle.required.iter().copied().filter(|sign| self.parameter(*sign).is_none());
         let missing: Vec<String> = missing.map(|sign| self.written(sign).to_string()).collect();
         if !missing.is_empty() {
@@ -103,12 +97,24 @@ impl Maker<'_> {
             self.fault("cycle-plane", span);
             return;
         }
-        if let Some(levels) = self.levels(initial, span).filter(|_| self.may_run(&cycle, span)) {
-            self.holes(&cycle, levels, words, repeats, span);
+        let Some(levels) = self.levels(initial, span).filter(|_| self.may_run(&cycle, span)) else { return };
+        // Only a cycle that is run starts the spindle, and then it stops it: after another mistake it stands as before.
+        if starts {
+            self.start_spindle(Turning::Clockwise, span);
         }
+        self.holes(&cycle, levels, words, repeats, span);
         if starts {
             self.spindle(Turning::Stopped);
         }
+    }
+
+    /// Whether the cycle starts the spindle: some tap without M3, where the spindle follows the feed, and stand again behind
+    /// it.
+    fn starts_by_tap(&self, cycle: &Cycle) -> bool {
+        cycle.bottom == Bottom::Reversed
+            && self.state.turning == Turning::Stopped
+            && (self.state.tap_prepared || self.control.tap_preparation.is_none())
+            && self.control.is(Q::TapStartsSpindle)
     }
 
     /// The axis along which the cycles of the plane drill.

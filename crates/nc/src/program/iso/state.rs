@@ -8,11 +8,37 @@ use super::kept::Kept;
 use super::zeros::SYSTEMS;
 use crate::motion::{Axis, Plane, Position, Turning};
 use crate::program::Setting;
+use crate::program::brought::Registers;
 use crate::program::limits::Floating;
 use crate::units::Micrometres;
 
 /// The function in force in every group.
 pub(super) type Modes = [Option<i64>; Group::NAMES.len()];
+
+/// Who has used an F or an S since it was given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum User {
+    /// No tool.
+    Nobody,
+    /// The tool in the spindle.
+    ToolInSpindle,
+    /// Only a tool before it.
+    ToolBefore,
+}
+
+impl User {
+    /// The tool in the spindle uses it: whether it was that of the tool before.
+    pub(super) fn uses(&mut self) -> bool {
+        std::mem::replace(self, Self::ToolInSpindle) == Self::ToolBefore
+    }
+
+    /// Another tool comes.
+    pub(super) fn changes(&mut self) {
+        if *self == Self::ToolInSpindle {
+            *self = Self::ToolBefore;
+        }
+    }
+}
 
 /// The state of the control. Copied before every block, and kept only if the block has no error.
 #[derive(Clone, Debug)]
@@ -32,12 +58,9 @@ pub(super) struct ControlState {
     pub feed: f64,
     /// S, 1/min.
     pub speed: f64,
-    /// Whether F and S have been used by the tool before and not been given since.
-    pub feed_of_before: bool,
-    pub speed_of_before: bool,
-    /// Whether the tool in the spindle has used them.
-    pub feed_used: bool,
-    pub speed_used: bool,
+    /// Whose F and S are.
+    pub feed_user: User,
+    pub speed_user: User,
     pub turning: Turning,
     /// Whether the coolant flows.
     pub coolant: bool,
@@ -49,8 +72,8 @@ pub(super) struct ControlState {
     pub tool_named: bool,
     /// The tool in the spindle.
     pub tool: u32,
-    /// The offset register that the tool in the spindle has had.
-    pub register: Option<u32>,
+    /// The offset registers that the tools have had.
+    pub registers: Registers,
     /// What G43 adds to Z.
     pub length: Micrometres,
     /// The zeros of the systems, G54 to G59.3, machine coordinates, and by which zero that is not known they are counted.
@@ -85,17 +108,15 @@ impl ControlState {
             tap_prepared: false,
             feed: 0.0,
             speed: 0.0,
-            feed_of_before: false,
-            speed_of_before: false,
-            feed_used: false,
-            speed_used: false,
+            feed_user: User::Nobody,
+            speed_user: User::Nobody,
             turning: Turning::Stopped,
             coolant: false,
             kept: Vec::new(),
             wanted: 0,
             tool_named: false,
             tool: 0,
-            register: None,
+            registers: Registers::default(),
             length: Micrometres::ZERO,
             zeros: [[None; 3]; SYSTEMS],
             shift: [Micrometres::ZERO; 3],

@@ -105,7 +105,11 @@ impl Seen<'_> {
             "#_LATHE_RADIUS_MODE" => whether(state.mode(Group::Diameter) != Some(70)),
             "#_IJK_ABSOLUTE_MODE" => whether(state.mode(Group::ArcDistance) == Some(901)),
             "#_TOOL_OFFSET" => whether(state.mode(Group::Length).is_some_and(|mode| mode != 490)),
-            "#_FEED" => Some(state.feed / if state.inches() { 25.4 } else { 1.0 }),
+            // F of G93 counts ways in a minute and has no unit of length.
+            "#_FEED" => {
+                let by_time = state.mode(Group::FeedMode) == Some(930);
+                Some(state.feed / if state.inches() && !by_time { 25.4 } else { 1.0 })
+            }
             "#_PLANE" => mode(Group::Plane, 170),
             "#_COORD_SYSTEM" => mode(Group::System, 540),
             "#_RPM" => Some(state.speed),

@@ -39,6 +39,7 @@ pub(super) const RULES: &[Rule] = &[
     ("lathe-no-tool-yet", Error, "start"),
     ("lathe-no-offset", Wrong, "start"),
     ("lathe-offset-shared", Wrong, "start"),
+    ("lathe-offset-of-two", Doubtful, "start"),
     ("lathe-tool-named", Note, "start"),
     // Spindle and feed.
     ("spindle-without-speed", Error, "spindle"),

@@ -92,13 +92,10 @@ impl<'t> Around<'_, 't> {
             }
             let before = number.checked_sub(1).and_then(|before| cuts.get(&before)).map(|(_, last)| *last);
             let after = cuts.get(&number).map(|(first, _)| *first);
-            let out = |cut: Option<usize>| Some(self.task(cut?)?.cycle.out);
-            // After and before a cut without a stop, every height above the part is accepted.
-            let needed = match (out(before), out(after)) {
-                (Some(a), Some(b)) => a.min(b),
-                (Some(one), None) | (None, Some(one)) => one,
-                (None, None) => continue,
-            };
+            let out = |cut: Option<usize>| self.task(cut?).map(|task| (task.cycle.out, task.tool.over_straps));
+            // After and before a cut without a stop, every height above the part is accepted. Of two works that ask for one
+            // height the one that goes over what the shop has decides.
+            let Some((needed, of_straps)) = [out(before), out(after)].into_iter().flatten().min() else { continue };
             let say = |code, severity, made: Micrometres| {
                 ProgramFinding::new(code, severity, stay.block)
                     .with(Name::At, stay.at)
@@ -107,8 +104,6 @@ impl<'t> Around<'_, 't> {
             };
             if low < needed - TOLERANCE {
                 // The plan goes high over straps that it proposes itself; a motion through one is told as that.
-                let setup = self.input.job.setups.get(stay.setup);
-                let of_straps = setup.is_some_and(|setup| setup.standing.iter().any(|one| one.proposed));
                 let severity = if low <= top {
                     Severity::Error
                 } else if of_straps {

@@ -97,6 +97,7 @@ impl ProgramWriter {
     pub(super) fn finish(self) -> WrittenProgram {
         let main = self.main_number();
         let mut lines = vec![frame("%".to_owned()), frame(format!(":{main:02}"))];
+        let mut numbers = vec![main];
         let step = (self.form.number_step as usize).max(1);
         // A long program has smaller number steps, so that its numbers stay within four digits.
         let step = if self.main.len() * step > LAST_BLOCK { 1 } else { step };
@@ -104,6 +105,7 @@ impl ProgramWriter {
             lines.push(line((index + 1) * step, block, *place));
         }
         for (number, (blocks, place)) in (main + 1..).zip(&self.subprograms) {
+            numbers.push(number);
             let at = BlockPurpose { role: LineRole::Frame, ..*place };
             lines.push(ProgramLine { text: format!(":{number:02}"), role: at.role, work: at.work, cycle: at.cycle });
             for (block, index) in blocks.iter().zip(1..) {
@@ -111,7 +113,8 @@ impl ProgramWriter {
             }
             lines.push(line(blocks.len() + 1, &Block::new().m(99), BlockPurpose { role: LineRole::End, ..*place }));
         }
-        WrittenProgram { lines }
+        // It has no remarks that could stand behind a number.
+        WrittenProgram { lines, numbers, head: None }
     }
 }
 

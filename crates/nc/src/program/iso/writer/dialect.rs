@@ -44,6 +44,11 @@ impl Dialect<'_> {
         self.0.depth > 0
     }
 
+    /// Whether a program begins with its number.
+    pub(super) const fn numbers_programs(self) -> bool {
+        self.0.number_digits > 0
+    }
+
     /// The lines before the first block.
     pub(super) fn head(self, part: &str, number: u32) -> Vec<String> {
         match self.0.number_digits {

@@ -141,11 +141,15 @@ impl ProgramWriter<'_> {
         let plain = |text: String, role| ProgramLine { text, role, work: None, cycle: None };
         let mut before = Vec::new();
         let mut after = Vec::new();
+        let number = form.program.unwrap_or(MAIN);
+        // An o-word program has no number of its own, only its subprograms have.
+        let mut numbers: Vec<u32> = dialect.numbers_programs().then_some(number).into_iter().collect();
         // An o-word must stand before its call, a program of its own behind the main one.
         let place = if dialect.0.is(Q::OWords) { &mut before } else { &mut after };
         let kept = if form.subprograms { subprograms.as_slice() } else { &[] };
         for (index, (blocks, work)) in kept.iter().enumerate() {
             let number = form.subprogram(index);
+            numbers.push(number);
             let line = |text: String, role| ProgramLine { text, role, work: *work, cycle: None };
             place.push(line(dialect.subprogram_begins(number), LineRole::Frame));
             for (block, index) in blocks.iter().zip(1..) {
@@ -155,19 +159,14 @@ impl ProgramWriter<'_> {
         }
         let sign = || dialect.0.is(Q::Signs).then(|| plain("%".to_owned(), LineRole::Frame));
         let mut lines: Vec<ProgramLine> = sign().into_iter().collect();
+        let head = dialect.numbers_programs().then_some(lines.len());
         let remarks = dialect.notice().into_iter().chain(remarks).map(|remark| format!("({remark})"));
-        lines.extend(
-            dialect
-                .head(part, form.program.unwrap_or(MAIN))
-                .into_iter()
-                .chain(remarks)
-                .map(|text| plain(text, LineRole::Frame)),
-        );
+        lines.extend(dialect.head(part, number).into_iter().chain(remarks).map(|text| plain(text, LineRole::Frame)));
         lines.append(&mut before);
         let main = if form.subprograms { main } else { inlined(main, &subprograms, form) };
         let step = if main.len() * form.number_step as usize > 9999 { 1 } else { form.number_step as usize };
-        let numbers = (1..).map(|index: usize| index * step.max(1) % 10_000);
-        for ((piece, role, work, cycle), number) in main.into_iter().zip(numbers) {
+        let of_blocks = (1..).map(|index: usize| index * step.max(1) % 10_000);
+        for ((piece, role, work, cycle), number) in main.into_iter().zip(of_blocks) {
             let text = match piece {
                 MainLine::Block(block) => Numbered(number, block.text()).to_string(),
                 MainLine::Remarked(block, remark) => format!("{} ({remark})", Numbered(number, block.text())),
@@ -177,7 +176,7 @@ impl ProgramWriter<'_> {
         }
         lines.append(&mut after);
         lines.extend(sign());
-        WrittenProgram { lines }
+        WrittenProgram { lines, numbers, head }
     }
 }
 

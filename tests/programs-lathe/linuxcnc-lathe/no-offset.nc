@@ -1,0 +1,17 @@
+(H0 is no offset, so no two tools share it)
+G7 G18 G21 G40 G90
+T1 M6
+G43 H0
+G95 G97 S500 M3
+G0 X50 Z2
+G1 Z-10 F0.2
+G0 X60 Z50
+M5
+T2 M6
+G43 H0
+S500 M3
+G0 X50 Z2
+G1 Z-10
+G0 X60 Z50
+M5
+M2
