@@ -152,8 +152,7 @@ impl MarkingScheme {
         for own in parts {
             let taken = (price(own) * own.missing).min(*left);
             if taken > 0.0 {
-                *left -= taken;
-                let (percent, points) = (rounded(own.missing * 100.0), rounded(taken));
+                let (percent, points) = (rounded(own.missing * 100.0), spent_of(left, taken));
                 found.push(MissingPart { part: own.part.name(), percent, points });
             }
         }
@@ -175,7 +174,7 @@ impl MarkingScheme {
             let before = spent.iter().find(|(section, _)| *section == finding.section).map_or(0.0, |(_, spent)| *spent);
             let room = own.and_then(|own| own.at_most).map_or(f64::INFINITY, |most| most - before);
             let taken = deduction.min(room).min(left).max(0.0);
-            left -= taken;
+            let points = spent_of(&mut left, taken);
             spent.retain(|(section, _)| *section != finding.section);
             spent.push((finding.section, before + taken));
             deductions.push(Deduction {
@@ -183,7 +182,7 @@ impl MarkingScheme {
                 rule: finding.rule.clone(),
                 section: finding.section,
                 severity: finding.severity,
-                points: rounded(taken),
+                points,
                 by,
                 capped: taken < deduction,
             });
@@ -207,6 +206,14 @@ impl MarkingScheme {
         }
         (self.deduct.points(finding.severity).unwrap_or(0.0), DeductedBy::Severity)
     }
+}
+
+/// Takes points off what is left; what that is in hundredths. Each is the difference of what is left before and after it, so that what
+/// is printed adds up to the whole, as thirds rounded one by one do not.
+fn spent_of(left: &mut f64, taken: f64) -> f64 {
+    let before = rounded(*left);
+    *left -= taken;
+    rounded(before - rounded(*left))
 }
 
 /// Rounded to hundredths: halves and quarters stay exact, binary noise is removed.

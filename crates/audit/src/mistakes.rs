@@ -7,7 +7,7 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Figure, Note, Severity};
-use crate::tables::audit::Mistakes;
+use crate::tables::audit::{MistakenLaw, MistakenPlace, Mistakes};
 
 use super::context::Context;
 use super::graph::{Compute, Formula, Graph};
@@ -22,7 +22,7 @@ const COARSE: f64 = 0.05;
 /// Another law in place of a formula's: coefficients of another row, a correction left out.
 pub(super) struct OtherLaw<'a> {
     /// Its name in the table.
-    pub law: &'static str,
+    pub law: MistakenLaw,
     /// The row of the handbook's table it was taken from.
     pub row: Option<usize>,
     pub compute: Compute<'a>,
@@ -116,11 +116,11 @@ fn changed(graph: &Graph<'_>, formula: &Formula<'_>, mistake: &Mistakes<'_>, bas
 }
 
 /// Where the other figure of a mistake stands.
-fn place(graph: &Graph<'_>, scope: Scope, at: Option<&str>) -> Scope {
+fn place(graph: &Graph<'_>, scope: Scope, at: Option<MistakenPlace>) -> Scope {
     match at {
-        Some("row") => graph.row_of(scope).map_or(scope, Scope::Row),
-        Some("tool") => graph.tool_of(scope).map_or(scope, Scope::Tool),
-        _ => scope,
+        Some(MistakenPlace::Row) => graph.row_of(scope).map_or(scope, Scope::Row),
+        Some(MistakenPlace::Tool) => graph.tool_of(scope).map_or(scope, Scope::Tool),
+        None => scope,
     }
 }
 

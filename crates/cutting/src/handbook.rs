@@ -17,8 +17,6 @@ use super::{Cut, drilling, factors, feed, reaming};
 pub struct Handbook {
     /// The law of the speed, without corrections.
     pub speed: SpeedLaw,
-    /// Kv = Kmv·Kpv·Klv.
-    pub speed_factor: f64,
     /// Kmv, Kpv and Klv, as far as the transition has them.
     pub speed_factors: Vec<f64>,
     /// The rows behind the speed.
@@ -29,6 +27,13 @@ pub struct Handbook {
     pub load_factor: f64,
     /// The rows behind the loads.
     pub loads_because: Vec<Because>,
+}
+
+impl Handbook {
+    /// Kv = Kmv·Kpv·Klv.
+    pub fn speed_factor(&self) -> f64 {
+        self.speed_factors.iter().product()
+    }
 }
 
 /// The name of a transition in the tables of speed and tool life; none for transitions that they lack (boring,
@@ -67,8 +72,7 @@ pub fn formulas<'k>(cut: &Cut, feed: MillimetresPerRev, shop: &impl Asking<'k>) 
         true => Vec::new(),
         false => drilling::speed_corrections(cut, figures.is_own_group(), shop)?.0,
     };
-    let speed_factors: Vec<f64> = corrections.iter().map(|(factor, _)| *factor).collect();
-    let speed_factor = speed_factors.iter().product();
+    let speed_factors = corrections.iter().map(|(factor, _)| *factor).collect();
     speed_because.extend(corrections.into_iter().map(|(_, reason)| reason));
 
     let (mut loads, mut load_factor, mut loads_because) = (None, 1.0, Vec::new());
@@ -81,7 +85,7 @@ pub fn formulas<'k>(cut: &Cut, feed: MillimetresPerRev, shop: &impl Asking<'k>) 
             loads_because.push(reason);
         }
     }
-    Ok(Some(Handbook { speed, speed_factor, speed_factors, speed_because, loads, load_factor, loads_because }))
+    Ok(Some(Handbook { speed, speed_factors, speed_because, loads, load_factor, loads_because }))
 }
 
 /// The feed of a transition by the tables, with the rows behind it.

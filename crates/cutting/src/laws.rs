@@ -24,6 +24,12 @@ pub struct SpeedLaw {
 }
 
 impl SpeedLaw {
+    /// The law of a row.
+    pub const fn of(row: &CuttingSpeed<'_>) -> Self {
+        let &CuttingSpeed { cv, q, x, y, m, .. } = row;
+        Self { cv, q, x, y, m }
+    }
+
     /// The speed, m/min: diameter and depth of cut in mm, feed in mm/rev, tool life in min.
     pub fn at(&self, diameter: f64, depth_of_cut: f64, feed: f64, life: f64) -> f64 {
         self.cv * libm::pow(diameter, self.q)
@@ -50,6 +56,16 @@ pub struct LoadLaw {
 }
 
 impl LoadLaw {
+    /// The law of the torque of a row: its 10 makes N·m of kgf·m.
+    pub const fn torque(row: &TorqueAndThrust<'_>) -> Self {
+        Self { factor: 10.0 * row.cm, q: row.qm, x: row.xm, y: row.ym }
+    }
+
+    /// The law of the thrust of a row.
+    pub const fn thrust(row: &TorqueAndThrust<'_>) -> Self {
+        Self { factor: 10.0 * row.cp, q: row.qp, x: row.xp, y: row.yp }
+    }
+
     /// The load, N or N·m: diameter and depth of cut in mm, feed in mm/rev.
     pub fn at(&self, diameter: f64, depth_of_cut: f64, feed: f64) -> f64 {
         self.without_feed(diameter, depth_of_cut) * libm::pow(feed, self.y)
@@ -70,8 +86,7 @@ pub(super) fn speed<'k>(
 ) -> Tried<(SpeedLaw, Figures<'k, CuttingSpeed<'k>>), Uncut> {
     let question = |material_group| CuttingSpeedFor { operation, material_group, tool_material, feed };
     let figures = figures::ask(question, shop)?;
-    let &CuttingSpeed { cv, q, x, y, m, .. } = &figures.row;
-    Ok((SpeedLaw { cv, q, x, y, m }, figures))
+    Ok((SpeedLaw::of(&figures.row), figures))
 }
 
 /// The laws of torque and thrust with their row.
@@ -82,8 +97,5 @@ pub(super) fn loads<'k>(
 ) -> Tried<(LoadLaw, LoadLaw, Figures<'k, TorqueAndThrust<'k>>), Uncut> {
     let question = |material_group| TorqueAndThrustFor { operation, material_group, tool_material };
     let figures = figures::ask(question, shop)?;
-    let row = &figures.row;
-    let torque = LoadLaw { factor: 10.0 * row.cm, q: row.qm, x: row.xm, y: row.ym };
-    let thrust = LoadLaw { factor: 10.0 * row.cp, q: row.qp, x: row.xp, y: row.yp };
-    Ok((torque, thrust, figures))
+    Ok((LoadLaw::torque(&figures.row), LoadLaw::thrust(&figures.row), figures))
 }

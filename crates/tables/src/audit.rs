@@ -72,6 +72,30 @@ vocabulary! {
         WholeThread = "whole-thread",
     }
 
+    /// Another law in place of a formula's, which the program makes.
+    pub enum MistakenLaw {
+        /// The tool life is left out.
+        WithoutLife = "without-life",
+        /// All corrections are left out.
+        WithoutFactors = "without-factors",
+        /// One correction is left out.
+        WithoutFactor = "without-factor",
+        /// A correction is divided by.
+        FactorInverted = "factor-inverted",
+        /// The coefficients are those of another row.
+        OtherRow = "other-row",
+        /// One exponent is that of another row.
+        OtherExponent = "other-exponent",
+    }
+
+    /// Where the figure stands that a mistake takes instead.
+    pub enum MistakenPlace {
+        /// In the row of the route.
+        Row = "row",
+        /// In its tool.
+        Tool = "tool",
+    }
+
     /// How a load compares with the formula.
     pub enum Judgement {
         /// Too low.
@@ -172,11 +196,11 @@ rows! {
         id: &'t str,
         of: Option<Quantity>,
         instead: Option<Quantity>,
-        at: Option<&'t str>,
+        at: Option<MistakenPlace>,
         value: Option<f64>,
         times: Option<f64>,
         power: Option<f64>,
-        law: Option<&'t str>,
+        law: Option<MistakenLaw>,
         severity: Option<Severity>,
         what: &'t str,
     }

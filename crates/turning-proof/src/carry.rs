@@ -317,7 +317,11 @@ impl<'s> Carried<'s> {
 
     fn remember_pass(&mut self, motion: &Motion) {
         let (from, to) = (motion.path.from().spot(), motion.path.to().spot());
+        let tool = &self.set_up.tools[motion.tool];
         for ((thread, deepest), full) in self.target.threads.iter().zip(&mut self.passes).zip(&mut self.full) {
+            if !thread.is_cut_by(tool) {
+                continue;
+            }
             full.extend(thread.deep(from, to));
             let middle = (thread.z[0] + thread.z[1]) / 2.0;
             if from.z.min(to.z) > middle || from.z.max(to.z) < middle || from.z == to.z {

@@ -6,7 +6,7 @@ use crate::plane::Vector;
 use crate::set_up::Motion;
 use crate::taps::LEAD;
 use crate::target::Threaded;
-use crate::tool::{Cutter, Tool};
+use crate::tool::{Cutter, Side, Tool};
 use crate::units::{Degrees, Mm};
 
 /// How long a stretch of a thread may lack its depth, in pitches: the profile of the last turn is half a pitch wide to each side
@@ -35,6 +35,13 @@ impl Pass {
 }
 
 impl Threaded {
+    /// Whether a tool may cut it: one of the other side passes it by, however deep its point is. Which tool of its own side
+    /// cuts it does not matter here.
+    pub(crate) fn is_cut_by(&self, tool: &Tool) -> bool {
+        let own = if self.thread.root.0 < self.thread.crest.0 { Side::Outside } else { Side::Inside };
+        tool.cutter.side().is_none_or(|side| side == own)
+    }
+
     /// The stretch along Z in which a straight pass is deep enough, ascending; a pass that is drawn out is so up to there.
     pub(crate) fn deep(&self, from: Vector, to: Vector) -> Option<[f64; 2]> {
         let (crest, shallow) = (self.thread.crest.0, self.thread.shallow.0);
@@ -56,7 +63,7 @@ impl Threaded {
         let (from, to) = (motion.path.from().spot(), motion.path.to().spot());
         let along = to.z - from.z;
         let (least, most) = (from.z.min(to.z).max(self.z[0]), from.z.max(to.z).min(self.z[1]));
-        if most - least <= TOLERANCE {
+        if most - least <= TOLERANCE || !self.is_cut_by(tool) {
             return None;
         }
         let at = |z: f64| from.r + (to.r - from.r) * (z - from.z) / along;

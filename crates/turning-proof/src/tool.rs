@@ -163,6 +163,18 @@ impl Cutter {
         }
     }
 
+    /// The side where it works, if it is one of the sides.
+    pub(crate) const fn side(&self) -> Option<Side> {
+        match *self {
+            Self::Insert { side, .. } | Self::Blade { side, .. } | Self::Thread { side, .. } => Some(side),
+            Self::FaceBlade { .. }
+            | Self::Drill { .. }
+            | Self::Reamer { .. }
+            | Self::Tap { .. }
+            | Self::CentreDrill { .. } => None,
+        }
+    }
+
     pub(crate) const fn turns_on_axis(&self) -> bool {
         matches!(self, Self::Drill { .. } | Self::Reamer { .. } | Self::Tap { .. } | Self::CentreDrill { .. })
     }

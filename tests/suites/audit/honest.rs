@@ -42,3 +42,25 @@ fn no_honest_plan_is_blamed() {
     }
     assert_eq!(blamed, [""; 0]);
 }
+
+/// What a plan states is judged though it says that it covers something else; only what is not there may be missing.
+#[test]
+fn a_scope_excuses_what_is_missing_and_nothing_that_is_stated() {
+    let name = "plate-conditions-only.yaml";
+    let text = std::fs::read_to_string(folder().join(name)).unwrap();
+    let row = "{row: 3, operation: drill, hole: A, count: 6, diameter: 10, depth: 40}";
+    let found = |text: &str| {
+        let audit = audited(name, text);
+        audit.findings.iter().filter(|one| one.is_wrong()).map(|one| one.rule.clone()).collect::<Vec<_>>()
+    };
+    // A scheme that no cell of the hole has, and one of a table that is not its own.
+    let with = |row: &str, more: &str| text.replacen(row, &row.replace('}', more), 1);
+    assert_eq!(found(&with(row, ", scheme: \"32\", table: A.8}")), ["audit-scheme-unknown"]);
+    // Without its first row the hole B is not centred, which is no matter of conditions.
+    let centred = "  - {row: 2, operation: centre-drill, hole: B, count: 4, diameter: 6}\n";
+    let without = text.replacen(centred, "", 1).replacen("for: [1, 2]", "for: [1]", 1);
+    assert_ne!(without, text);
+    assert_eq!(found(&without), [""; 0]);
+    let whole = without.replacen("scope: [conditions]\n", "scope: [conditions, holes]\n", 1);
+    assert!(!found(&whole).is_empty());
+}

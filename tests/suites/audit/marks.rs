@@ -117,7 +117,7 @@ proptest! {
         let marks = scheme(&text).mark(&AUDITED);
         let taken: f64 = marks.deductions.iter().map(|one| one.points).sum();
         let missing: f64 = marks.missing.iter().map(|one| one.points).sum();
-        prop_assert!((marks.points + missing + taken - f64::from(points)).abs() < 0.02, "{marks:?}");
+        prop_assert!((marks.points + missing + taken - f64::from(points)).abs() < 1e-9, "{marks:?}");
         let conditions = marks.deductions.iter().filter(|one| one.section == technolog::audit::Section::Conditions);
         prop_assert!(conditions.map(|one| one.points).sum::<f64>() <= f64::from(cap));
     }

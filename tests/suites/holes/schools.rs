@@ -189,11 +189,10 @@ impl Problem {
     fn by_law(&self) -> f64 {
         let (cut, shop) = (self.cut(), self.shop());
         let feed = self.given.feed.unwrap();
-        let handbook::Handbook { speed, speed_factor, .. } =
-            handbook::formulas(&cut, MillimetresPerRev(feed), &shop).unwrap().unwrap();
+        let law = handbook::formulas(&cut, MillimetresPerRev(feed), &shop).unwrap().unwrap();
         let (life, _) = handbook::tool_life(&cut, &shop).unwrap().unwrap();
         let depth = (self.hole.diameter - self.hole.from) / 2.0;
-        speed.at(self.hole.diameter, depth, feed, life.0) * speed_factor
+        law.speed.at(self.hole.diameter, depth, feed, life.0) * law.speed_factor()
     }
 
     /// The time of its taps at the given spindle speed: that of the plan, with another speed.

@@ -193,12 +193,18 @@ fn a_place_that_the_turret_does_not_have_is_doubtful() {
 
 /// A stud with a relief behind its thread as the turner has it on the desk: M24x1.5 to Z-30, its passes to Z-30.9735.
 fn threaded() -> (Operation, String) {
+    threaded_with(0.0, "")
+}
+
+/// The same with a bore of that diameter at its mouth.
+fn threaded_with(mouth: f64, bore: &str) -> (Operation, String) {
     let text = "shaft: Stud\nmaterial: steel-45\nblank: {kind: bar, diameter: 50, length: 185, face: 2}\n\
         machine: 16k20f3\nholding: chuck\nouter:\n  - {from: {d: 0, z: 0}}\n  - {face: 20}\n  - {chamfer: 2}\n  \
         - {thread: M24x1.5-6g, to: -30}\n  - {groove: thread-relief}\n  - {face: 28}\n  - {chamfer: 1}\n  \
         - {cylinder: -70, name: bearing, grade: h9, roughness: Ra 3.2}\n  - {face: 44}\n  - {chamfer: 1}\n  \
         - {cylinder: -130}\n";
-    let operation = planned(&read_turned("stud.yaml", text, &KNOWLEDGE).unwrap().into_workpiece());
+    let text = format!("{}{bore}", text.replacen("{d: 0, z: 0}", &format!("{{d: {mouth}, z: 0}}"), 1));
+    let operation = planned(&read_turned("stud.yaml", &text, &KNOWLEDGE).unwrap().into_workpiece());
     let written = programs(&operation, "fanuc", Form::Motions, None, &KNOWLEDGE).unwrap();
     let text = written[0].files.as_ref().unwrap()[0].text.clone();
     (operation, text)
@@ -274,6 +280,29 @@ fn passes_of_a_thread_at_other_speeds_are_told() {
     let speeds = ("turned-thread-speeds", Severity::Wrong);
     assert_eq!(new_in_fanuc(&operation, &text, &slower("S200")), [speeds]);
     assert!(new_in_fanuc(&operation, &text, &slower("G50 S2000\nG96 S40")).contains(&speeds));
+}
+
+/// Drilled and tapped M8 from the end of its thread M24x1.5: what the tap turns at 8 mm inside of the crests is no pass of the thread
+/// outside, neither a deep one nor one at another speed.
+#[test]
+fn a_tapped_bore_is_no_pass_of_the_thread_outside() {
+    let bore = "inner:\n  - {from: {d: 8.5, z: 0}}\n  - {chamfer: 0.9}\n  - {thread: M8, to: -20}\n  - {cylinder: -30}\n  - {face: 0}\n";
+    let (operation, text) = threaded_with(8.5, bore);
+    let written = programs(&operation, "linuxcnc", Form::Motions, None, &KNOWLEDGE).unwrap();
+    let of_linuxcnc = written[0].files.as_ref().unwrap()[0].text.clone();
+    assert!(of_linuxcnc.contains("G33.1 Z-23.75 K1.25"), "{of_linuxcnc}");
+    // In step by the words of a thread, as older controls tap.
+    assert!(text.contains("M29 S500\nG84 Z-23.75 F1.25\nG80\n"), "{text}");
+    let in_step = text.replace("M29 S500\nG84 Z-23.75 F1.25\nG80\n", "G32 Z-23.75 F1.25\nM4\nG32 Z4.55 F1.25\nM5\n");
+    for (text, reader) in [(of_linuxcnc, "linuxcnc-lathe"), (text, "fanuc-lathe"), (in_step, "fanuc-lathe")] {
+        let language = LatheLanguage::read(reader, &KNOWLEDGE).unwrap();
+        let run = read(&text, &language, &[] as &[Subprogram<'_>]);
+        let faults = compare_with_part(&operation, 1, &text, &run, &KNOWLEDGE).unwrap();
+        assert!(faults.iter().any(|fault| fault.code == "turned-held"), "{reader} {faults:?}");
+        let of_thread = |code: &str| code.starts_with("turned-thread") || code.starts_with("swept-thread");
+        let found: Vec<_> = grave(&faults).into_iter().filter(|one| of_thread(one.0)).collect();
+        assert_eq!(found, [], "{reader}");
+    }
 }
 
 /// M24x1.5 is 0.92 deep (ISO 68-1, 0.613 P), which Mitsubishi cuts in 6 passes: whole at once it breaks the point, by a cycle, too.

@@ -21,7 +21,6 @@ mod threads;
 mod zone;
 
 use crate::error::KnowledgeError;
-use crate::tables::audit::PlanPart;
 
 use super::context::Context;
 use super::finding::AuditFinding;
@@ -31,11 +30,12 @@ use super::roots;
 /// A kind of check; it adds its findings.
 type Check = for<'a> fn(&Context<'a>, &Graph<'a>, &mut Vec<AuditFinding>) -> Result<(), KnowledgeError>;
 
-/// Whether every hole is made, and finished: only of a plan that covers the route.
-const WHOLE_ROUTES: &[Check] = &[route::check, scheme::check, openings::check];
-
-/// Every other check, in the order of a report.
+/// Every check, in the order of a report. What a plan does not say it covers may be missing, and each check leaves that out; what
+/// stands there is judged all the same.
 const CHECKS: &[Check] = &[
+    route::check,
+    scheme::check,
+    openings::check,
     threads::check,
     depths::check,
     allowances::check,
@@ -60,9 +60,7 @@ pub(super) fn all<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
-    // What a plan does not say it covers may be missing; what stands there is judged all the same.
-    let whole = if context.stated.covers(PlanPart::Holes) { WHOLE_ROUTES } else { &[] };
-    whole.iter().chain(CHECKS).try_for_each(|check| check(context, graph, findings))?;
+    CHECKS.iter().try_for_each(|check| check(context, graph, findings))?;
     roots::settle(findings);
     Ok(())
 }

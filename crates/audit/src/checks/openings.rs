@@ -6,6 +6,7 @@ use crate::note::{Figure, Note, Severity};
 use crate::part::Hole;
 use crate::plan::{Feature, Operation, Transition};
 use crate::route::bores;
+use crate::tables::audit::PlanPart;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
@@ -41,8 +42,9 @@ pub(super) fn check<'a>(
             continue;
         }
         let openings = openings(hole, context)?;
-        for opening in openings.iter().filter(|opening| opening.required && is_made_by_own_plan(context, hole, opening))
-        {
+        let whole = context.stated.covers(PlanPart::Holes);
+        let required = openings.iter().filter(|opening| whole && opening.required);
+        for opening in required.filter(|opening| is_made_by_own_plan(context, hole, opening)) {
             check_made(context, graph, hole, opening, &rows, findings);
         }
         // Plans of the program report themselves what they cut beyond the drawing.

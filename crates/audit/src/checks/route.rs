@@ -6,6 +6,7 @@ use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
 use crate::plan::{Operation, Route};
+use crate::tables::audit::PlanPart;
 use crate::tables::rules::TransitionOrderFor;
 use crate::units::{Micrometres, round_to};
 
@@ -26,9 +27,13 @@ pub(super) fn check<'a>(
     if stated.rows.is_empty() && !stated.is_own {
         return Ok(());
     }
+    let whole = stated.covers(PlanPart::Holes);
     for hole in &stated.part.holes {
         let rows: Vec<(usize, &Row)> = stated.rows_of_hole(&hole.name).collect();
         let plan = context.plan.holes.iter().find(|plan| plan.name == hole.name);
+        if rows.is_empty() && !whole {
+            continue;
+        }
         if rows.is_empty() {
             // A hole for which the program has no route is unfinished too.
             let known = plan.is_some_and(|plan| !plan.transitions.is_empty());
@@ -119,7 +124,8 @@ fn finished(
     // The hole of a thread is that of its tap; a hole finished elsewhere keeps its stock.
     let reference = context.plan.holes.iter().find(|plan| plan.name == hole.name);
     let elsewhere = reference.and_then(|plan| plan.route.as_ref()).is_some_and(Route::may_finish_elsewhere);
-    if hole.thread.is_some() || elsewhere {
+    // Nor is the last row the last transition where the plan does not cover the route.
+    if hole.thread.is_some() || elsewhere || !context.stated.covers(PlanPart::Holes) {
         return;
     }
     if let Some((at, row, diameter)) = last

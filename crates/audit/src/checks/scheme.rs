@@ -7,6 +7,7 @@ use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
 use crate::plan::{Alternative, Operation, Route, RouteSource, Transition};
 use crate::route::table_answer::{self, TableAnswer};
+use crate::tables::audit::PlanPart;
 use crate::tables::holes::HoleDefault;
 use crate::units::{Micrometres, round_to};
 
@@ -57,7 +58,12 @@ impl Group<'_, '_> {
             return Ok(());
         }
         self.tables(findings);
-        self.transitions(scheme, findings)
+        if self.is_whole() { self.transitions(scheme, findings) } else { Ok(()) }
+    }
+
+    /// Whether the rows are all transitions of the scheme: a plan that does not cover the route may lack some of them.
+    fn is_whole(&self) -> bool {
+        self.context.stated.covers(PlanPart::Holes)
     }
 
     /// The row that names a scheme first; the first row where none does.
@@ -110,7 +116,7 @@ impl Group<'_, '_> {
                     let note = Note::new("audit-scheme-mixed").with("stated", name).with("other", own);
                     findings.push(self.finding(Severity::Wrong, row, "scheme", note).with_values(name, own));
                 }
-            } else if self.printed(name) && self.answer.centred && self.centres() {
+            } else if self.printed(name) && self.answer.centred && (self.centres() || !self.is_whole()) {
                 // Written as its table prints it, and carried out with the centring that the text asks for.
             } else if self.printed(name) && self.answer.centred {
                 findings.push(self.uncentred(row, name));

@@ -9,7 +9,7 @@ use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Figure, Note, Severity};
 use crate::plan::CuttingMethod;
-use crate::tables::audit::{AuditFormula, AuditFormulaFor};
+use crate::tables::audit::{AuditFormula, AuditFormulaFor, MistakenLaw};
 use crate::tables::cutting::{CuttingSpeed, TorqueAndThrust};
 use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
 
@@ -108,7 +108,7 @@ fn is_by_life(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: M
 fn by_law(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micrometres, life: f64) -> Option<f64> {
     let figure = |quantity| context.stated.figure(Id::new(Scope::Conditions(at), quantity));
     let (feed, depth) = (tabulated::feed(context, at).ok()??, figure(Q::DepthOfCut)?);
-    Some(formulas.speed.at(diameter.to_mm(), depth.value, feed, life) * formulas.speed_factor)
+    Some(formulas.speed.at(diameter.to_mm(), depth.value, feed, life) * formulas.speed_factor())
 }
 
 /// The cut of the conditions, as far as the formulas need it; none if the cutter is not known.
@@ -181,7 +181,7 @@ fn speed<'a>(
         return Ok(());
     }
     inputs.extend((0..named.len()).map(|index| Id { index, ..id(Q::FactorSpeed) }));
-    let kv = if named.is_empty() { formulas.speed_factor } else { 1.0 };
+    let kv = if named.is_empty() { formulas.speed_factor() } else { 1.0 };
     let mut numbers = format!("{}·{}", shown(law.cv), power("{2}", law.q));
     if named.is_empty() {
         numbers.push_str(&format!("·{}", shown(kv)));
@@ -205,20 +205,20 @@ fn speed<'a>(
     let mut formula = formula(&SPEED, id(Q::Speed), inputs, &numbers, compute);
     let single = if named.is_empty() { formulas.speed_factors.clone() } else { Vec::new() };
     formula.others = Some(Box::new(move || {
-        let other = |name, row, compute| OtherLaw { law: name, row, compute };
-        let mut others = vec![other("without-life", None, Box::new(with(law, kv, true)) as Compute<'_>)];
-        others.push(other("without-factors", None, Box::new(with(law, 1.0, false))));
+        let other = |law, row, compute| OtherLaw { law, row, compute };
+        let mut others = vec![other(MistakenLaw::WithoutLife, None, Box::new(with(law, kv, true)) as Compute<'_>)];
+        others.push(other(MistakenLaw::WithoutFactors, None, Box::new(with(law, 1.0, false))));
         for factor in single.iter().filter(|factor| **factor != 1.0) {
-            others.push(other("without-factor", None, Box::new(with(law, kv / factor, false))));
-            others.push(other("factor-inverted", None, Box::new(with(law, kv / factor / factor, false))));
+            others.push(other(MistakenLaw::WithoutFactor, None, Box::new(with(law, kv / factor, false))));
+            others.push(other(MistakenLaw::FactorInverted, None, Box::new(with(law, kv / factor / factor, false))));
         }
         for row in context.shop.knowledge.rows::<CuttingSpeed<'_>>().unwrap_or_default() {
-            let CuttingSpeed { cv, q, x, y, m, .. } = row;
+            let SpeedLaw { q, y, m, .. } = SpeedLaw::of(&row);
             let number = Some(row.row.number());
-            others.push(other("other-row", number, Box::new(with(SpeedLaw { cv, q, x, y, m }, kv, false))));
-            others.push(other("other-exponent", number, Box::new(with(SpeedLaw { y, ..law }, kv, false))));
-            others.push(other("other-exponent", number, Box::new(with(SpeedLaw { q, ..law }, kv, false))));
-            others.push(other("other-exponent", number, Box::new(with(SpeedLaw { m, ..law }, kv, false))));
+            others.push(other(MistakenLaw::OtherRow, number, Box::new(with(SpeedLaw::of(&row), kv, false))));
+            others.push(other(MistakenLaw::OtherExponent, number, Box::new(with(SpeedLaw { y, ..law }, kv, false))));
+            others.push(other(MistakenLaw::OtherExponent, number, Box::new(with(SpeedLaw { q, ..law }, kv, false))));
+            others.push(other(MistakenLaw::OtherExponent, number, Box::new(with(SpeedLaw { m, ..law }, kv, false))));
         }
         others
     }));
@@ -261,17 +261,17 @@ fn loads<'a>(
             let with = |law: LoadLaw, kp: f64| -> Compute<'_> {
                 Box::new(move |values| Some(law.at(*values.get(2)?, *values.get(1)?, *values.first()?) * kp))
             };
-            let other = |name, row, compute| OtherLaw { law: name, row, compute };
-            let mut others = vec![other("without-factors", None, with(law, 1.0))];
-            others.push(other("factor-inverted", None, with(law, 1.0 / kp)));
+            let other = |law, row, compute| OtherLaw { law, row, compute };
+            let mut others = vec![other(MistakenLaw::WithoutFactors, None, with(law, 1.0))];
+            others.push(other(MistakenLaw::FactorInverted, None, with(law, 1.0 / kp)));
             for row in context.shop.knowledge.rows::<TorqueAndThrust<'_>>().unwrap_or_default() {
-                let (factor, q, x, y) = match quantity {
-                    Q::Torque => (row.cm, row.qm, row.xm, row.ym),
-                    _ => (row.cp, row.qp, row.xp, row.yp),
+                let of_row = match quantity {
+                    Q::Torque => LoadLaw::torque(&row),
+                    _ => LoadLaw::thrust(&row),
                 };
                 let number = Some(row.row.number());
-                others.push(other("other-row", number, with(LoadLaw { factor: 10.0 * factor, q, x, y }, kp)));
-                others.push(other("other-exponent", number, with(LoadLaw { y, ..law }, kp)));
+                others.push(other(MistakenLaw::OtherRow, number, with(of_row, kp)));
+                others.push(other(MistakenLaw::OtherExponent, number, with(LoadLaw { y: of_row.y, ..law }, kp)));
             }
             others
         }));

@@ -5,7 +5,8 @@ use crate::knowledge::Knowledge;
 use crate::note::{Note, Severity};
 use crate::program::Fault;
 use crate::program::lathe::{LatheMotion, LatheRun};
-use crate::tables::turning::jobs::{JobLimit, JobLimits};
+use crate::tables::turning::jobs::JobLimit;
+use crate::turning::jobs::limits::Limits;
 use crate::turning::jobs::{Body, Job};
 use crate::turning::operation::{Operation, SetUpWork};
 use crate::units::round_to;
@@ -16,8 +17,7 @@ use super::fault;
 
 /// A length of `turning-job-limits`, mm.
 fn length(name: JobLimit, knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
-    let row = knowledge.need(name.name(), |row: &JobLimits<'_>| row.name == name)?;
-    Ok(row.length.unwrap_or_default().to_mm())
+    Ok(Limits::of(knowledge).length(name)?.to_mm())
 }
 
 /// The lines of a program round to a thousandth, mm.

@@ -92,7 +92,7 @@ pub fn compare_with_part(
     let found: Vec<Fault> = found.collect();
     faults.extend(exchanges(operation, work, text, run, &tools));
     faults.extend(pace::paced(operation, work, run, &tools, &proof.depths, knowledge)?);
-    faults.extend(passes::passes(operation, work, run, knowledge)?);
+    faults.extend(passes::passes(operation, work, run, &tools, knowledge)?);
     faults.extend(ends::parted(operation, work, run, proof, knowledge)?);
     faults.extend(ends::drilled(operation, work, run, &tools, knowledge)?);
     faults.extend(homes::homes(operation, work, &run.motions, &motions, &proven));

@@ -7,12 +7,15 @@ use crate::note::{Note, Severity};
 use crate::program::Fault;
 use crate::program::lathe::{LatheAct, LatheMotion, LathePoint, LatheRun};
 use crate::tables::audit::{AuditLathePaceFor, PaceFigure};
-use crate::tables::turning::jobs::{JobLimit, JobLimits, ThreadingFirstPassFor};
-use crate::turning::jobs::ThreadCut;
+use crate::tables::turning::jobs::{JobLimit, ThreadingFirstPassFor};
+use crate::turning::contour::Side;
+use crate::turning::jobs::limits::Limits;
+use crate::turning::jobs::{Body, Job, ThreadCut};
 use crate::turning::operation::{Operation, SetUpWork};
 use crate::units::{RevsPerMinute, round_to};
 use technolog_core::material::Material;
 
+use super::calls::CalledTool;
 use super::fault;
 use super::lathe::turns;
 
@@ -33,19 +36,23 @@ pub(super) fn passes(
     operation: &Operation,
     work: &SetUpWork,
     run: &LatheRun,
+    tools: &[CalledTool],
     knowledge: &Knowledge,
 ) -> Result<Vec<Fault>, KnowledgeError> {
     let material_group = Material::find(knowledge, &operation.workpiece.material)?.group;
-    let ratio = |name: JobLimit| -> Result<f64, KnowledgeError> {
-        let row = knowledge.need(name.name(), |row: &JobLimits<'_>| row.name == name)?;
-        Ok(row.ratio.unwrap_or_default())
-    };
+    let mut limits = Limits::of(knowledge);
     let mut faults = Vec::new();
-    for cut in work.jobs.iter().filter_map(|job| job.thread.as_ref()) {
-        let share = ratio(JobLimit::ThreadRunIn)? / ratio(JobLimit::ThreadRunOut)?;
+    for (side, cut) in work.jobs.iter().filter_map(|job| Some((job.side, job.thread.as_ref()?))) {
+        let share = limits.ratio(JobLimit::ThreadRunIn)? / limits.ratio(JobLimit::ThreadRunOut)?;
+        let may_cut = |motion: &LatheMotion| {
+            let tool = tools.iter().find(|tool| motion.modes.tool == Some(tool.called));
+            tool.and_then(|tool| work.jobs.get(tool.job)).is_some_and(|job| turns_on(job, side))
+        };
+        let own: Vec<&LatheMotion> =
+            run.motions.iter().filter(|one| one.act.moves() && (!is_pass(one) || may_cut(one))).collect();
         let mut short: Option<(f64, f64, u32)> = None;
         let mut speeds: Option<(RevsPerMinute, RevsPerMinute, u32)> = None;
-        for (begin, speed, line) in starts(run, cut) {
+        for (begin, speed, line) in starts(&own, cut) {
             let (needs, has) = (share * cut.pitch_mm.to_mm() * speed.0, begin + cut.begins_z_mm.to_mm());
             if has < needs && short.is_none_or(|(worst, ..)| has < worst) {
                 short = Some((has, needs, line));
@@ -69,7 +76,7 @@ pub(super) fn passes(
         }
         let asked = knowledge.ask(&ThreadingFirstPassFor { material_group })?;
         let most = asked.need(material_group)?.depth.to_mm();
-        if let Some((depth, line)) = deepest_step(run, cut) {
+        if let Some((depth, line)) = deepest_step(&own, cut) {
             let whole = (cut.root_radius_mm.to_mm() - cut.crest_radius_mm.to_mm()).abs();
             let figure = if depth < WHOLE * whole { PaceFigure::ThreadPass } else { PaceFigure::WholeThread };
             let share = ((depth - ROUNDING_MM) / most).max(0.0);
@@ -84,10 +91,20 @@ pub(super) fn passes(
     Ok(faults)
 }
 
+/// Whether the tool of a job may cut a thread on a side: an insert that works there. A bar for the bore passes under the thread outside,
+/// and a tap has passes of its own.
+fn turns_on(job: &Job, side: Side) -> bool {
+    matches!(job.tool.body, Body::Insert { .. }) && job.side == side
+}
+
+const fn is_pass(motion: &LatheMotion) -> bool {
+    matches!(motion.act, LatheAct::Thread { .. })
+}
+
 /// How much deeper than all passes before it, from the crests on, the worst pass of a thread goes, radial, mm, and its line.
-fn deepest_step(run: &LatheRun, cut: &ThreadCut) -> Option<(f64, u32)> {
+fn deepest_step(motions: &[&LatheMotion], cut: &ThreadCut) -> Option<(f64, u32)> {
     let (mut known, mut worst) = (0.0_f64, None::<(f64, u32)>);
-    for motion in run.motions.iter().filter(|motion| matches!(motion.act, LatheAct::Thread { .. })) {
+    for motion in motions.iter().filter(|motion| is_pass(motion)) {
         let Some((from, to)) = motion.from.point().zip(motion.to.point()).filter(|ends| crosses(cut, *ends)) else {
             continue;
         };
@@ -114,15 +131,15 @@ fn depth_of(cut: &ThreadCut, radius: f64) -> f64 {
 
 /// Z at which each pass of a thread starts before it, the speed of the spindle, and its line. What goes on from another pass is
 /// no start; nor is a pass whose speed follows its diameter, which a rule of its own tells.
-fn starts(run: &LatheRun, cut: &ThreadCut) -> Vec<(f64, RevsPerMinute, u32)> {
+fn starts(motions: &[&LatheMotion], cut: &ThreadCut) -> Vec<(f64, RevsPerMinute, u32)> {
     let mut before: Option<&LatheMotion> = None;
     let mut starts = Vec::new();
-    for motion in run.motions.iter().filter(|motion| motion.act.moves()) {
-        let goes_on = before.is_some_and(|one| matches!(one.act, LatheAct::Thread { .. }) && one.to == motion.from);
+    for motion in motions.iter().copied() {
+        let goes_on = before.is_some_and(|one| is_pass(one) && one.to == motion.from);
         before = Some(motion);
         let (Some(from), Some(to)) = (motion.from.point(), motion.to.point()) else { continue };
         let near = [from.radius_mm, to.radius_mm].into_iter().any(|radius| depth_of(cut, radius) > 0.0);
-        if goes_on || !crosses(cut, (from, to)) || !near || !matches!(motion.act, LatheAct::Thread { .. }) {
+        if goes_on || !crosses(cut, (from, to)) || !near || !is_pass(motion) {
             continue;
         }
         if let Some((slow, _)) = turns(motion).filter(|(slow, fast)| slow == fast) {

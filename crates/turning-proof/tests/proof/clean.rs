@@ -333,6 +333,33 @@ fn passes_of_a_thread_run_in_one_groove() {
     }
 }
 
+/// A bar that cuts a thread in a bore passes under the thread outside: its point, 5 mm under those crests, is no pass of that thread,
+/// neither its deepest one, beside which others would have no groove, nor one of a wrong lead.
+#[test]
+fn passes_in_a_bore_are_none_of_the_thread_outside() {
+    let cutter = Cutter::Thread { angle: Degrees(60.0), reach: Mm(3.0), beside: Mm(3.0), side: Side::Inside };
+    for lead in [2.5, 1.5] {
+        let mut work = started([(0.0, 0.0), (1.0, 0.0), (0.0, 0.0), (0.0, 0.0)]);
+        work.profile.bore = chain(&[(0.0, 5.0), (-40.0, 5.0)]);
+        let outside = [(0.0, 8.4), (-1.5, 9.9), (-20.0, 9.9), (-20.0, 8.5), (-24.0, 8.5), (-24.0, 12.0), (-60.0, 12.0)];
+        let lines = |places: &[(f64, f64)]| Piece::lines(&places.iter().map(|&(z, r)| at(z, r)).collect::<Vec<_>>());
+        work.stock = Stock::between(&lines(&outside), &lines(&[(0.0, 5.0), (-60.0, 5.0)]));
+        work.tools.push(bare(cutter));
+        let inside = [(Rapid, 4.0, 4.9), (Pass, -22.0, 4.9), (Rapid, -22.0, 4.0), (Rapid, 4.0, 4.0)];
+        work.motions.extend(program(1, (4.0, 4.0), &inside).into_iter().map(|mut motion| {
+            motion.lead = (motion.kind == Pass).then_some(Mm(lead));
+            motion
+        }));
+        let faults = wrong(&work);
+        let [Fault::ThreadPhase { shift, .. }] = &faults[..] else { panic!("{lead}: {faults:?}") };
+        assert!(is(*shift, 1.0), "{lead}: {faults:?}");
+        // Without a pass outside nothing is cut there, whatever the bar does.
+        work.motions.retain(|motion| motion.tool == 1);
+        let faults = wrong(&work);
+        assert!(matches!(&faults[..], [Fault::ThreadShallow { .. }]), "{lead}: {faults:?}");
+    }
+}
+
 /// Motions in step that follow each other without another between them are one pass: two thirds of a turn of its beginning are left
 /// out of step with nothing.
 #[test]

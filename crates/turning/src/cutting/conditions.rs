@@ -175,6 +175,7 @@ pub fn within_part(
     }
     let (least, _) = bounds::constant_length(cut, Limit::FinishFeedLeast)?;
     let (mut held, mut bound) = (feed, None);
+    // Held at the least feed as well, it is told why it is no larger.
     loop {
         let forces = Forces::of(cut, held)?;
         let (checks, _) = bounds::checks(cut, &forces)?;
@@ -185,18 +186,17 @@ pub fn within_part(
         let of_part = |check: &&Check| matches!(check.bound, Bound::PartStiffness | Bound::PartStrength);
         let bears =
             |check: &Check| check.load(cut, &forces, depth, speed).is_none_or(|load| load.within(check.capacity));
-        let Some(exceeded) = checks.iter().filter(of_part).find(|check| !bears(check)) else {
-            because.extend(bound);
-            return Ok(held);
-        };
+        let Some(exceeded) = checks.iter().filter(of_part).find(|check| !bears(check)) else { break };
         let next = ((held.0 - 0.01) * 100.0).round() / 100.0;
         if next < least.to_mm() {
-            return Ok(held);
+            break;
         }
         held = MillimetresPerRev(next);
         let note = Note::new("feed-within-part").with("feed", held.0).with("before", feed.0);
         bound = exceeded.because.last().map(|one| Because { note, ..one.clone() });
     }
+    because.extend(bound);
+    Ok(held)
 }
 
 /// The feed of finishing if a roughness is required, but never above that of roughing if the tables have one.

@@ -10,21 +10,30 @@ use crate::units::Micrometres;
 
 /// Queries the table and keeps its answers.
 #[derive(Clone, Debug)]
-pub(crate) struct Limits<'k> {
+pub struct Limits<'k> {
     knowledge: &'k Knowledge,
     /// The rows that were used.
     pub because: Vec<Because>,
 }
 
 impl<'k> Limits<'k> {
+    /// Asks nothing yet.
     pub const fn of(knowledge: &'k Knowledge) -> Self {
         Self { knowledge, because: Vec::new() }
     }
 
+    /// A constant that is a ratio.
+    ///
+    /// # Errors
+    /// The table lacks the constant, or its figure is none of that kind.
     pub fn ratio(&mut self, name: JobLimit) -> Result<f64, KnowledgeError> {
         self.constant(name, |row| row.ratio)
     }
 
+    /// A constant that is a length.
+    ///
+    /// # Errors
+    /// The table lacks the constant, or its figure is none of that kind.
     pub fn length(&mut self, name: JobLimit) -> Result<Micrometres, KnowledgeError> {
         self.constant(name, |row| row.length)
     }

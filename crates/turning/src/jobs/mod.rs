@@ -17,7 +17,7 @@ pub mod along;
 mod clock;
 pub mod groove;
 pub mod hole;
-pub(crate) mod limits;
+pub mod limits;
 pub mod pace;
 pub mod part_off;
 mod refused;

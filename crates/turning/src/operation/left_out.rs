@@ -1,32 +1,26 @@
 //! Jobs that the proof rejects with every tool that can do them: they are left out, so that what is written is safe, and
 //! what they leave is told.
 
+use crate::error::KnowledgeError;
+use crate::knowledge::Knowledge;
 use crate::note::{Figure, Finding, Note, Severity};
 use crate::turning::jobs::{Job, Work};
 
-use super::unfinished::unfinished;
-use super::{Operation, barred, merged, proof};
+use super::{Operation, barred, proof};
 
 impl Operation {
     /// Leaves out one unsafe job after the other, with what stands on its work, until the proof rejects none.
-    pub(super) fn leave_unsafe_out(&mut self) {
-        let mut left_out = Vec::new();
-        let before = merged(self.of_its_jobs());
+    pub(super) fn leave_unsafe_out(
+        &mut self,
+        mut planned: Vec<Finding>,
+        knowledge: &Knowledge,
+    ) -> Result<(), KnowledgeError> {
+        let before = planned.len();
         while let Some(finding) = self.leave_first_out() {
-            left_out.push(finding);
+            planned.push(finding);
             self.proven = proof::prove(self);
         }
-        if left_out.is_empty() {
-            return;
-        }
-        self.findings.retain(|finding| !before.contains(finding));
-        left_out.extend(self.of_its_jobs());
-        self.findings.extend(merged(left_out));
-    }
-
-    /// The findings that follow from what its jobs do and leave.
-    fn of_its_jobs(&self) -> Vec<Finding> {
-        [unfinished(self), proof::findings(self)].concat()
+        if planned.len() > before { self.conclude(&planned, knowledge) } else { Ok(()) }
     }
 
     /// Leaves out the first job that the proof rejects; its finding.
@@ -74,4 +68,48 @@ fn stands_on(job: &Job, other: &Job) -> bool {
         Work::Groove | Work::Thread | Work::Tap | Work::PartOff => false,
     };
     prepares && job.side == other.side && job.work != Work::PartOff
+}
+
+#[cfg(test)]
+#[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
+mod tests {
+    use super::super::plan_without;
+    use super::*;
+    use crate::shipped;
+    use crate::turning::length::Half;
+    use crate::turning::workpiece::read_turned;
+
+    /// The passes of a thread, moved 3 mm into the part, are left out: nothing is doubtful any more for their rows alone, and the turret
+    /// has one tool fewer to hold.
+    #[test]
+    fn nothing_is_told_of_a_job_that_is_left_out() {
+        let knowledge = shipped::knowledge().unwrap();
+        let text = "shaft: Stud\nmaterial: steel-45\nblank: {kind: bar, diameter: 50, length: 185, face: 2}\n\
+            machine: 16k20f3\nholding: chuck\nouter:\n  - {from: {d: 10, z: 0}}\n  - {face: 20}\n  - {chamfer: 2}\n  \
+            - {thread: M24x1.5-6g, to: -30}\n  - {groove: thread-relief}\n  - {face: 28}\n  - {chamfer: 1}\n  \
+            - {cylinder: -70}\n  - {face: 44}\n  - {chamfer: 1}\n  - {cylinder: -130}\n\
+            inner:\n  - {from: {d: 10, z: 0}}\n  - {cylinder: -30}\n  - {face: 0}\n";
+        let part = read_turned("stud.yaml", text, &knowledge).unwrap().into_workpiece();
+        let attempt = plan_without(&part, &[], true, &knowledge).unwrap();
+        let (mut operation, planned) = (attempt.operation, attempt.planned);
+        let threads = operation.set_ups.iter_mut().flat_map(|one| &mut one.jobs).find(|job| job.work == Work::Thread);
+        let threads = threads.unwrap();
+        for one in &mut threads.path.moves {
+            one.to.radius = one.to.radius - Half::from(3.0);
+        }
+        operation.proven = proof::prove(&operation);
+        let rows = |operation: &Operation| {
+            let of_limits = operation.findings.iter().map(|finding| &finding.note);
+            let of_limits =
+                of_limits.filter(|note| note.figure_text("table").is_some_and(|table| table == "turning-job-limits"));
+            of_limits.filter_map(|note| note.figure_text("row")).collect::<Vec<_>>()
+        };
+        let crowded =
+            |operation: &Operation| operation.findings.iter().any(|one| one.note.code() == "turret-too-small");
+        assert_eq!((rows(&operation).join("; "), crowded(&operation)), ("4; 5; 6; 12, 15; 17; 11".to_owned(), true));
+        operation.leave_unsafe_out(planned, &knowledge).unwrap();
+        assert_eq!((rows(&operation).join("; "), crowded(&operation)), ("4; 5; 6".to_owned(), false));
+        let left_out = operation.findings.iter().filter(|one| one.note.code() == "job-left-out");
+        assert_eq!(left_out.count(), 1);
+    }
 }

@@ -67,7 +67,6 @@ use crate::turning::contour::Side;
 use crate::turning::elements::Angles;
 use crate::turning::jobs::{Body, Job, Work as JobWork};
 use crate::turning::length::Half;
-use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::{Advice, Blank, Workpiece, advice};
 use crate::turning::zones::{self, Hold, SetUp};
 use crate::units::Micrometres;
@@ -184,6 +183,20 @@ impl Operation {
         self.findings.extend(findings);
     }
 
+    /// Tells what follows from its jobs and their proof, after what was found as they were planned: each time anew, so that nothing
+    /// stays of jobs that it no longer has.
+    fn conclude(&mut self, planned: &[Finding], knowledge: &Knowledge) -> Result<(), KnowledgeError> {
+        let mut findings = planned.to_vec();
+        findings.extend(unfinished::unfinished(self));
+        findings.extend(self.set_ups.iter().filter_map(|one| one.tailstock.as_ref()?.finding(one.set_up.number)));
+        findings.extend(proof::findings(self));
+        findings.extend(doubts::doubts(self));
+        findings.extend(turret(self));
+        findings.extend(tapped::bored_beside_limits(&self.workpiece, knowledge)?);
+        self.findings = merged(findings);
+        Ok(())
+    }
+
     /// Whether something was found wrong.
     pub fn has_errors(&self) -> bool {
         self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)
@@ -238,9 +251,11 @@ fn plan_best(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, 
     let mut barred = Vec::new();
     let mut last = plan_without(workpiece, &barred, true, knowledge)?;
     let mut best = last.clone();
+    // How many were barred from the best: told once it is known, so that a plan is no worse for what is told of it.
+    let mut best_without = 0;
     for _ in 0..ATTEMPTS {
         let known = barred.len();
-        for one in barred::rejected(&last) {
+        for one in barred::rejected(&last.operation) {
             if !barred.iter().any(|known: &Barred| known.is_same(&one)) {
                 barred.push(one);
             }
@@ -249,13 +264,22 @@ fn plan_best(workpiece: &Workpiece, knowledge: &Knowledge) -> Result<Operation, 
             break;
         }
         last = plan_without(workpiece, &barred, true, knowledge)?;
-        if last.badness() < best.badness() {
+        if last.operation.badness() < best.operation.badness() {
             best = last.clone();
-            best.findings.extend(barred.iter().map(Barred::finding));
+            best_without = barred.len();
         }
     }
-    best.leave_unsafe_out();
-    Ok(best)
+    let Attempt { mut operation, planned } = best;
+    operation.leave_unsafe_out(planned, knowledge)?;
+    operation.findings.extend(barred.iter().take(best_without).map(Barred::finding));
+    Ok(operation)
+}
+
+/// A plan with what was found on the way to its jobs, before it was concluded.
+#[derive(Clone, Debug)]
+struct Attempt {
+    operation: Operation,
+    planned: Vec<Finding>,
 }
 
 /// The most attempts with other tools after the proof rejected some.
@@ -267,7 +291,7 @@ fn plan_without(
     barred: &[Barred],
     parts_off: bool,
     knowledge: &Knowledge,
-) -> Result<Operation, KnowledgeError> {
+) -> Result<Attempt, KnowledgeError> {
     let mut findings = workpiece.findings.clone();
     let lathe = prepare::lathe(workpiece, knowledge, &mut findings)?;
     let blank_advice = advice(workpiece, knowledge)?;
@@ -379,22 +403,16 @@ fn plan_without(
         proven: Vec::new(),
         findings: Vec::new(),
     };
-    findings.extend(unfinished::unfinished(&operation));
     operation.proven = proof::prove(&operation);
     if operation.turns_centres_down() {
         operation.proven = proof::prove(&operation);
     }
-    findings.extend(operation.set_ups.iter().filter_map(|one| one.tailstock.as_ref()?.finding(one.set_up.number)));
-    findings.extend(proof::findings(&operation));
-    findings.extend(doubts::doubts(&operation));
-    findings.extend(lathe.as_ref().and_then(|lathe| turret(&operation, lathe)));
-    findings.extend(tapped::bored_beside_limits(workpiece, knowledge)?);
-    operation.findings = merged(findings);
-    Ok(operation)
+    operation.conclude(&findings, knowledge)?;
+    Ok(Attempt { operation, planned: findings })
 }
 
 /// That the turret has fewer places than the operation has tools, and at how many stops tools are put in.
-fn turret(operation: &Operation, lathe: &Lathe<'_>) -> Option<Finding> {
+fn turret(operation: &Operation) -> Option<Finding> {
     let stations = turret::stations(operation);
     let (places, tools) = (operation.turret_places?, stations.len());
     let stops = turret::loads(operation, &stations).iter().filter(|load| load.before > 0).count();
@@ -406,7 +424,7 @@ fn turret(operation: &Operation, lathe: &Lathe<'_>) -> Option<Finding> {
         .with("stops", stops)
         .with("place", seat.place)
         .with("offset", seat.offset)
-        .with("lathe", Figure::word_of("machine", lathe.id().to_owned()));
+        .with("lathe", Figure::word_of("machine", operation.workpiece.machine.clone()?));
     (tools > places).then(|| Finding::of_part(Severity::Doubtful, note))
 }
 

@@ -16,6 +16,9 @@ pub(super) struct ThreadSize {
     pub size: Micrometres,
     /// Pitch, mm.
     pub pitch: Micrometres,
+    /// The least minor diameter in a bore, that of the basic profile (ISO 965-1); none where its table lacks a constant, which
+    /// the planner of a thread in a bore then names.
+    pub minor: Option<Micrometres>,
 }
 
 impl ThreadSize {
@@ -33,15 +36,8 @@ impl ThreadSize {
     pub fn stands_on(&self, diameter: Micrometres, side: Side) -> bool {
         match side {
             Side::Outer => diameter == self.size,
-            Side::Inner => (self.minor()..self.size).contains(&diameter),
+            Side::Inner => diameter < self.size && self.minor.is_none_or(|minor| diameter >= minor),
         }
-    }
-
-    /// The minor diameter D1 = d − 5·√3/8 · P, to the nearest micrometre, as the tables of ISO 724 print it.
-    pub fn minor(&self) -> Micrometres {
-        const OVER_PITCH_MILLIONTHS: i64 = 1_082_532;
-        let heights = self.pitch.micrometres() * OVER_PITCH_MILLIONTHS;
-        Micrometres::new(self.size.micrometres() - (heights + 500_000) / 1_000_000)
     }
 }
 
@@ -79,7 +75,8 @@ pub(super) fn read(text: &str, knowledge: &Knowledge) -> Result<ThreadSize, &'st
     if size <= Micrometres::ZERO || pitch <= Micrometres::ZERO || pitch + pitch >= size {
         return Err("bad-turned-thread");
     }
-    Ok(ThreadSize { written, size, pitch })
+    let minor = tapping::minor_diameter(size, pitch, knowledge).ok().map(|(least, _)| least);
+    Ok(ThreadSize { written, size, pitch, minor })
 }
 
 #[cfg(test)]

@@ -296,7 +296,7 @@ impl Walk<'_, '_, '_> {
             if !thread_size.stands_on(diameter, self.walked.side) {
                 let (code, least) = match self.walked.side {
                     Side::Outer => ("thread-on-another-diameter", thread_size.size),
-                    Side::Inner => ("thread-in-another-bore", thread_size.minor()),
+                    Side::Inner => ("thread-in-another-bore", thread_size.minor.unwrap_or_default()),
                 };
                 let (thread, most) = (&thread_size.written, thread_size.size);
                 self.fault(mistake!(code, thread = thread, diameter = diameter, least = least, most = most), place);

@@ -51,9 +51,10 @@ pub(super) fn pace(cut: &Cut, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried
     let Some(law) = handbook::formulas(cut, feed, bench).map_err(no_figures)? else {
         return Err(Refusal::Not(NoJob::NoDrill { diameter: cut.diameter, depth: crate::turning::length::Half::ZERO }));
     };
+    let speed_factor = law.speed_factor();
     because.extend(of_life.into_iter().chain(law.speed_because).chain(law.loads_because));
     let (diameter, depth_of_cut) = (cut.diameter.to_mm(), (cut.diameter - cut.from).to_mm() / 2.0);
-    let wanted = MetresPerMinute(law.speed.at(diameter, depth_of_cut, feed.0, life.0) * law.speed_factor);
+    let wanted = MetresPerMinute(law.speed.at(diameter, depth_of_cut, feed.0, life.0) * speed_factor);
     let (wanted, _, of_practice) = practice::second_opinion(wanted, cut, &bench.material, bench.knowledge)?;
     because.extend(of_practice);
     let rpm = lathe.spindle.at_most(rpm_at(wanted, cut.diameter)).rounded(2);
