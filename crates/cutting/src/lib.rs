@@ -57,6 +57,8 @@ pub struct Cut {
     /// The diameter where the tool bears the torque, if it is not that of the cut: of a spotting drill its own, of a
     /// step drill its narrow part.
     pub tool_diameter: Option<Micrometres>,
+    /// Length of the flutes of a drill, along which a thin one bends out under its thrust; absent where it is not known.
+    pub flutes: Option<Micrometres>,
     /// The diameter before it; zero in solid metal.
     pub from: Micrometres,
     /// Passes of the tool; milling adds to them what the mill's diameter requires.

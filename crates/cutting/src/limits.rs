@@ -9,6 +9,7 @@ use crate::reason::Uncut;
 use crate::shop::Shop;
 use crate::tables::cutting::DrillStrength;
 use crate::tables::machines::MachineQuantity;
+use crate::tables::practice::{ProofLimit, ProofLimits};
 use crate::tables::rules::{Load, LoadMarginFor, Neighbour, SpindleStepFor};
 use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
 
@@ -76,6 +77,7 @@ pub(super) fn reduced_feed(
     let (thrust, torque) = (Margin::of(Load::Thrust, shop)?, Margin::of(Load::Torque, shop)?);
     let bounds = [
         drill_strength(draft, cut, shop)?,
+        drill_buckling(draft, cut, shop)?,
         Some(Bound {
             law: loads.thrust,
             limit: machine.thrust.0 * thrust.share,
@@ -214,6 +216,26 @@ fn drill_strength<'k>(
     let d = tool.to_mm();
     let limit = strength.modulus_factor * d * d * d * strength.shear_stress.0.to_f64() / 1000.0;
     Ok(Some(Bound { law: draft.loads.torque, limit, kind: Limit::DrillStrength, row: strength.row, margin: None }))
+}
+
+/// The thrust at which a long thin drill bends out: the flutes are a column, clamped in the holder and held by the spot.
+///
+/// Permissible thrust = share·π²·E·v·d⁴ / (μ·L)², N, with E in MPa and the drill's diameter d and the length L of its flutes in mm
+/// (Euler; table `proof-limits`, by which the proof of plans judges, too).
+fn drill_buckling<'k>(
+    draft: &DraftConditions,
+    cut: &Cut,
+    shop: &Shop<'k>,
+) -> Result<Option<Bound<'k>>, KnowledgeError> {
+    let Some(flutes) = cut.flutes.filter(|_| cut.operation == Operation::Drill) else { return Ok(None) };
+    let limit_of = |name: ProofLimit| shop.knowledge.need(name.name(), |row: &ProofLimits<'_>| row.name.is(name));
+    let share = limit_of(ProofLimit::DrillBucklingShare)?;
+    let modulus_mpa = limit_of(ProofLimit::BarElasticModulus)?.value * 1000.0;
+    let column = flutes.to_mm() * limit_of(ProofLimit::DrillColumn)?.value;
+    let section = limit_of(ProofLimit::DrillSection)?.value * cut.tool_diameter.unwrap_or(cut.diameter).to_mm().powi(4);
+    let euler = core::f64::consts::PI.powi(2) * modulus_mpa * section / (column * column);
+    let limit = share.value * euler;
+    Ok(Some(Bound { law: draft.loads.thrust, limit, kind: Limit::DrillBuckling, row: share.row, margin: None }))
 }
 
 /// Limits of a tap: its feed is its pitch and cannot be reduced, so the speed is reduced.

@@ -27,5 +27,6 @@ pub fn plain_cut(operation: Operation, from: Micrometres, diameter: Micrometres)
         cutter: None,
         feed_diameter: None,
         tool_diameter: None,
+        flutes: None,
     }
 }

@@ -216,20 +216,20 @@ fn stands_back(other: &Alternative) -> bool {
     code.starts_with("proof-") || code == "lost-by-floor"
 }
 
-/// The stated order of routes: one that meets what is asked goes before one that does not, then time decides;
-/// only where the magazine overflows may places go before time, and then the plan says so.
+/// The stated order of routes: one that meets what is asked goes before one that does not, then time decides; only where another
+/// hole borrows a drill of the route may that go before time, and then the plan says so.
 fn ranked(plan: &Plan) -> Result<(), TestCaseError> {
     for hole in &plan.holes {
         let Some(route) = &hole.route else { continue };
         let timed: Vec<_> =
             route.alternatives.iter().filter_map(|other| Some((other.meets, other.time_min?.0, other))).collect();
-        let crowded = timed.iter().any(|(.., other)| other.why.code() == "lost-by-places");
+        let borrowed = timed.iter().any(|(.., other)| other.why.code() == "lost-by-borrowing");
         for (meets, time, other) in &timed {
             prop_assert!(route.meets || !meets, "{}: {other:?} meets, {} does not", hole.name, route.scheme);
             // What holds a requirement only at best, and what leaves more over a flat floor, stands back whatever it takes.
             let at_best = stands_back(other);
             let slower = route.time_min.0 <= time + 1.5e-3 || (route.meets && !meets) || at_best;
-            prop_assert!(slower || crowded, "{}: {other:?} is quicker than {}", hole.name, route.time_min.0);
+            prop_assert!(slower || borrowed, "{}: {other:?} is quicker than {}", hole.name, route.time_min.0);
         }
         let known = timed.len();
         prop_assert!(
@@ -237,7 +237,7 @@ fn ranked(plan: &Plan) -> Result<(), TestCaseError> {
             "{}: what can be carried out comes first",
             hole.name
         );
-        if !crowded {
+        if !borrowed {
             let ordinary = timed.iter().filter(|(.., other)| !stands_back(other));
             let keys: Vec<(bool, f64)> = ordinary.map(|(meets, time, _)| (!meets, *time)).collect();
             prop_assert!(

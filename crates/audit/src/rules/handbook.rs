@@ -141,6 +141,7 @@ fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> 
         diameter,
         feed_diameter: None,
         tool_diameter: None,
+        flutes: None,
         from: Micrometres::ZERO,
         passes: 1,
         depth,

@@ -34,6 +34,8 @@ pub enum Limit {
     PracticeSpeed,
     /// What a thin drill bears.
     DrillStrength,
+    /// The thrust at which a long drill bends out.
+    DrillBuckling,
     /// The thrust that the machine bears.
     Thrust,
     /// The torque of the spindle.
@@ -54,10 +56,11 @@ pub enum Limit {
 
 impl Limit {
     /// All limits with their names in plans.
-    pub const NAMES: [(&'static str, Self); 11] = [
+    pub const NAMES: [(&'static str, Self); 12] = [
         ("cutting-speed", Self::CuttingSpeed),
         ("practice-speed", Self::PracticeSpeed),
         ("drill-strength", Self::DrillStrength),
+        ("drill-buckling", Self::DrillBuckling),
         ("thrust", Self::Thrust),
         ("spindle-torque", Self::SpindleTorque),
         ("spindle-power", Self::SpindlePower),

@@ -2,8 +2,8 @@
 //!
 //! A route that reaches grade, roughness and position is preferred to one that does not, and one that reaches them
 //! ordinarily to one that reaches them only at best, and one that a bar or a mill finishes down to a flat floor to one whose
-//! reamer ends higher. Then these decide, in turn: the total time, with the tool
-//! changes the route adds; the magazine places it adds; the source of the route (tables, complexes, search) and the
+//! reamer ends higher. Then these decide, in turn: the total time, with the tool changes that the route adds and the loading by hand
+//! of what the magazine has no place for; the magazine places it adds; the source of the route (tables, complexes, search) and the
 //! names. So the order is total and does not depend on the order of the file. Cost is time multiplied by the
 //! machine's rate, so it never decides alone.
 //!
@@ -18,6 +18,7 @@ pub(super) use compared::ComparedRoutes;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::KnowledgeError;
+use crate::job::Hands;
 use crate::note::Figure;
 use crate::part::Part;
 use crate::plan::{Operation, Preference, RouteSource};
@@ -51,8 +52,6 @@ struct Rank {
     at_best: usize,
     /// It leaves more unfinished over a flat floor than bars do: reamers end higher, by their lead.
     over_floor: bool,
-    /// Magazine places, which count before time while the magazine overflows.
-    crowding: usize,
     /// Time, millionths of a minute.
     time: i64,
     new_tools: usize,
@@ -81,7 +80,8 @@ pub(super) struct Chooser<'a, 'k> {
     change: f64,
     /// How far above a flat floor a bar stops.
     bar_gap: Micrometres,
-    crowded: bool,
+    /// The time to put one tool beyond the magazine in by hand.
+    load_tool: Minutes,
     preference: Preference,
 }
 
@@ -107,7 +107,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
             shop,
             change,
             bar_gap,
-            crowded: false,
+            load_tool: Hands::read(shop.knowledge)?.load_tool,
             preference,
         })
     }
@@ -143,8 +143,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
         self.options[group].as_ref()?.choices.get(self.chosen[group]?)
     }
 
-    /// Reconsiders every group, then every tool, until nothing improves. If the magazine is then too small, does so
-    /// once more with magazine places ranked before time.
+    /// Reconsiders every group, then every tool, until nothing improves.
     pub fn settle(&mut self, order: &[usize]) {
         for _ in 0..ROUNDS {
             let before = self.total();
@@ -155,17 +154,6 @@ impl<'a, 'k> Chooser<'a, 'k> {
             }
             if self.total() >= before {
                 break;
-            }
-        }
-        let places = self.shop.machine.magazine;
-        if self.tools_used() > places {
-            let before = self.chosen.clone();
-            self.crowded = true;
-            self.rounds(order);
-            self.crowded = false;
-            // A slower route is justified only if the tools then fit into the magazine.
-            if self.tools_used() > places {
-                self.restore(&before);
             }
         }
     }
@@ -246,7 +234,8 @@ impl<'a, 'k> Chooser<'a, 'k> {
         let other = (0..self.chosen.len())
             .filter(|group| self.choice(*group).is_some_and(|choice| self.other_way(*group, choice)))
             .count();
-        (other, missing, at_best, micro(own + self.change * self.tools_used() as f64))
+        let used = self.tools_used();
+        (other, missing, at_best, micro(own + self.change * used as f64 + self.loading(used).0))
     }
 
     /// Whether another group has the drill in the magazine.
@@ -293,9 +282,17 @@ impl<'a, 'k> Chooser<'a, 'k> {
         self.tools[group][index].iter().filter(|tool| self.used[**tool] == 0).count()
     }
 
-    /// Time of the group with the tool changes that its new tools add.
+    /// Time of the group with the tool changes and the loading by hand that its new tools add.
     fn time(&self, group: usize, index: usize, choice: &Choice) -> Minutes {
-        Minutes(choice.own_time.0 + self.change * self.new_tools(group, index) as f64)
+        let (used, new) = (self.tools_used(), self.new_tools(group, index));
+        let loading = self.loading(used + new).0 - self.loading(used).0;
+        Minutes(choice.own_time.0 + self.change * new as f64 + loading)
+    }
+
+    /// The time to load by hand what so many tools have no place for in the magazine.
+    fn loading(&self, tools: usize) -> Minutes {
+        let beyond = tools.saturating_sub(self.shop.machine.magazine.max(1));
+        Minutes(self.load_tool.0 * beyond as f64)
     }
 
     /// Whether the tables are preferred and have a route for the group, and this route is not from the tables.
@@ -312,7 +309,6 @@ impl<'a, 'k> Chooser<'a, 'k> {
             misses: !choice.meets_requirements(),
             at_best: choice.at_best.len(),
             over_floor: choice.stops_high(self.bar_gap),
-            crowding: if self.crowded { new_tools } else { 0 },
             time: micro(self.time(group, index, choice).0),
             new_tools,
             name: self.names[group][index],

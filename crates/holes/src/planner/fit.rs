@@ -415,6 +415,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         let cut = Cut {
             around: cutter.row.tip_diameter.filter(|_| step.goes_round).map(|tip| tip + self.wider_than_front(step)),
             nose_radius: cutter.row.nose_radius,
+            flutes: cutter.row.flute_length,
             roughness,
             cutter: cutter_shape(&cutter),
             ..self.cut(step, follows, cutter.head.material, travel)
@@ -474,6 +475,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             it: step.required_finish.map(|(grade, _)| grade),
             feed_diameter: step.also.map(|_| step.diameter),
             tool_diameter: step.also.map(|_| step.diameter),
+            flutes: None,
             around: None,
             plunges: false,
         }

@@ -60,6 +60,7 @@ word-first = the first
 word-second = the second
 word-practice-speed = shop practice
 word-drill-strength = strength of the drill
+word-drill-buckling = buckling of the drill
 word-another-machine = another machine, whose conditions are not known here
 word-thrust = thrust
 word-spindle-torque = spindle torque

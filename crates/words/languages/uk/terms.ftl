@@ -60,6 +60,7 @@ word-first = перша
 word-second = друга
 word-practice-speed = практика цеху
 word-drill-strength = міцність свердла
+word-drill-buckling = поздовжній згин свердла
 word-another-machine = інший верстат, режими якого тут невідомі
 word-thrust = осьова сила
 word-spindle-torque = крутний момент шпинделя

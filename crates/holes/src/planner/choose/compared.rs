@@ -48,7 +48,7 @@ impl Chooser<'_, '_> {
                     .with("slower", minutes(more))
                     .with("percent", round_to(near_tie * 100.0, 1)),
                 _ if more > SAME => Note::new("lost-by-time").with("slower", minutes(more)),
-                _ if more < -SAME => Note::new("lost-by-places").with("quicker", minutes(-more)),
+                _ if more < -SAME => Note::new("lost-by-borrowing").with("quicker", minutes(-more)),
                 _ => Note::new("lost-by-order"),
             };
             alternatives.push(Alternative {

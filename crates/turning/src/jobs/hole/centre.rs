@@ -88,6 +88,7 @@ fn centred(row: &CentreHole<'_>, form: CentreForm, face: Half, note: Note, bench
         // Its thin pilot permits less feed than its body.
         feed_diameter: Some(row.pilot),
         tool_diameter: Some(row.pilot),
+        flutes: None,
         ..cut(Operation::CentreDrill, mouth, Micrometres::ZERO, depth, ToolMaterial::HighSpeedSteel)
     };
     let conditions = pace::pace(&cut, lathe, bench)?;

@@ -294,6 +294,7 @@ fn cut(
         diameter,
         feed_diameter: None,
         tool_diameter: None,
+        flutes: None,
         from,
         passes: 1,
         depth,
