@@ -3,13 +3,15 @@
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
+use clap::builder::PossibleValuesParser;
 use technolog::error::KnowledgeError;
 use technolog::note::Finding;
 use technolog::plan::CuttingMethod;
 use technolog::report::encoding::encoding_sheet;
-use technolog::report::laboratory::{self, Sources, TitleBlock, read_title};
+use technolog::report::laboratory::{self, Form, Sources, TitleBlock, read_title};
 
 use super::diagnostics::Texts;
+use super::printers::{self, Targets};
 use super::program::Made;
 use super::{CliError, Context, Format, Outcome, control, knowledge, plan};
 
@@ -20,19 +22,21 @@ pub struct Args {
     part: PathBuf,
     #[arg(long, value_name = "FILE")]
     title: Option<PathBuf>,
+    #[arg(long, value_name = "FORM", value_parser = PossibleValuesParser::new(Form::NAMES.map(|(name, _)| name)))]
+    only: Option<String>,
     #[arg(long, value_parser = control::Names { lathes: false })]
     control: Option<String>,
 }
 
 /// The formats of a report.
-pub const FORMATS: &[Format] = &[Format::Html, Format::Markdown, Format::Text];
+pub const FORMATS: &[Format] = &printers::FORMATS;
 
 /// Writes the report of a part.
 ///
 /// # Errors
 /// The part or the title block cannot be used; all their mistakes are reported at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("report", FORMATS)?;
+    let targets = Targets::of("report", context)?;
     let knowledge = knowledge::load(context)?;
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let title = args.title.as_deref().map(|path| title_block(path, context)).transpose()?.unwrap_or_default();
@@ -59,8 +63,13 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         left: &left,
         knowledge,
     };
-    let page = laboratory::page(&sources, &title, context.lang).map_err(at_fault)?;
-    context.emit_document(&page, format)?;
+    let form = args.only.as_deref().and_then(Form::named);
+    let page = match form {
+        Some(form) => form.page(&sources, context.lang),
+        None => laboratory::page(&sources, &title, context.lang),
+    };
+    let page = page.map_err(at_fault)?;
+    targets.print(&page, context)?;
     Ok(if plan.has_errors() || warning.is_some() || !left.is_empty() { Outcome::Findings } else { Outcome::Done })
 }
 

@@ -1,7 +1,7 @@
 //! The laboratory report: the sixteen parts that the textbook asks for (5.3, l. 4888-4921), from one plan and its
 //! program. What only the author can write has a marked place.
 //!
-//! - `title` the title block, read from a file; `limits` what the part needs of the machine; `from_above` the drawing of
+//! - `forms` one form of it by itself; `title` the title block, read from a file; `limits` what the part needs of the machine; `from_above` the drawing of
 //!   the part.
 
 use crate::document::{Block, Column, Document, Drawing, Field, Inlines, Item, Table};
@@ -23,10 +23,12 @@ use super::sheet::{self, exactly, mm, rounded, route};
 use super::words::say;
 use super::{Doubts, Lang, cycles, operation_noun, setting, transitions};
 
+mod forms;
 mod from_above;
 mod limits;
 mod title;
 
+pub use forms::Form;
 pub use title::{TitleBlock, read_title, schema};
 
 /// How many parts a report has.

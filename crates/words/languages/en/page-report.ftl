@@ -95,3 +95,4 @@ lab-allowance = Allowance
 lab-can-be-made-but = On this equipment everything can be made but for:
 lab-left = The program does not do everything: { $what }.
 lab-unconfirmed = Rows of tables that the plan rests on and nothing confirms: { $count }. The plan itself lists them.
+form-tool-list = Tools and holders: { $part }
