@@ -21,6 +21,8 @@ pub enum Format {
     Markdown,
     /// For the browser.
     Html,
+    /// For paper.
+    Pdf,
     /// A plan in the form of a hand-written one.
     Hand,
     /// For continuous integration.
@@ -28,8 +30,18 @@ pub enum Format {
 }
 
 impl Format {
-    const ALL: [Self; 9] =
-        [Self::Text, Self::Json, Self::Yaml, Self::Csv, Self::Svg, Self::Markdown, Self::Html, Self::Hand, Self::Junit];
+    const ALL: [Self; 10] = [
+        Self::Text,
+        Self::Json,
+        Self::Yaml,
+        Self::Csv,
+        Self::Svg,
+        Self::Markdown,
+        Self::Html,
+        Self::Pdf,
+        Self::Hand,
+        Self::Junit,
+    ];
 
     /// The extensions of its files, the usual one first.
     pub const fn endings(self) -> &'static [&'static str] {
@@ -41,6 +53,7 @@ impl Format {
             Self::Svg => &[".svg"],
             Self::Markdown => &[".md", ".markdown"],
             Self::Html => &[".html", ".htm"],
+            Self::Pdf => &[".pdf"],
             Self::Junit => &[".xml"],
         }
     }
@@ -62,6 +75,7 @@ impl Format {
             Self::Svg => "svg",
             Self::Markdown => "markdown",
             Self::Html => "html",
+            Self::Pdf => "pdf",
             Self::Hand => "hand",
             Self::Junit => "junit",
         }

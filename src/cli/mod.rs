@@ -204,14 +204,18 @@ impl Context {
             Format::Html => document::Format::Html,
             _ => document::Format::Text,
         };
-        let words = document::Words {
+        let screen = output::Screen::of(file);
+        document::write(document, format, screen.width, screen.colour, &self.page_words())
+    }
+
+    /// The words that the writers of pages need themselves.
+    fn page_words(&self) -> document::Words<'_> {
+        document::Words {
             left_out: self.word("document-left-out"),
             see_all: self.word("document-see-all"),
             help: self.word("cli-help"),
             figure: self.word("document-figure"),
-        };
-        let screen = output::Screen::of(file);
-        document::write(document, format, screen.width, screen.colour, &words)
+        }
     }
 
     /// The width of a page in terminal columns; none for formats that have all the width they need.

@@ -27,8 +27,12 @@ impl Printer {
 }
 
 /// All printers; the first is that of a report for which none is named.
-pub const PRINTERS: [Printer; 3] =
-    [Printer::here(Format::Html, html), Printer::here(Format::Markdown, markdown), Printer::here(Format::Text, text)];
+pub const PRINTERS: [Printer; 4] = [
+    Printer::here(Format::Html, html),
+    PDF,
+    Printer::here(Format::Markdown, markdown),
+    Printer::here(Format::Text, text),
+];
 
 /// The formats of all printers.
 pub const FORMATS: [Format; PRINTERS.len()] = {
@@ -40,6 +44,14 @@ pub const FORMATS: [Format; PRINTERS.len()] = {
     }
     formats
 };
+
+#[cfg(feature = "pdf")]
+const PDF: Printer = Printer::here(Format::Pdf, |page, _, context| {
+    technolog_pdf::pdf(page, &context.page_words()).map_err(|why| super::output::unprintable(context.lang, why.0))
+});
+
+#[cfg(not(feature = "pdf"))]
+const PDF: Printer = Printer { format: Format::Pdf, print: html, lacks: Some("cargo build --release --features pdf") };
 
 fn html(page: &Document, file: Option<&Path>, context: &Context) -> Result<Vec<u8>, CliError> {
     Ok(context.written(page, Format::Html, file).into_bytes())

@@ -65,7 +65,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     };
     let form = args.only.as_deref().and_then(Form::named);
     let page = match form {
-        Some(form) => form.page(&sources, context.lang),
+        Some(form) => form.page(&sources, &title, context.lang),
         None => laboratory::page(&sources, &title, context.lang),
     };
     let page = page.map_err(at_fault)?;

@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
-use crate::{Align, Block, Column, Document, Drawing, FindingBlock, Inline, Inlines, Item, Table, Words, clean};
+use crate::{
+    Align, Block, CellKind, Column, Document, Drawing, FindingBlock, Form, Inline, Inlines, Item, Table, Words, clean,
+};
 
 /// Colours for light and dark mode and for paper; on narrow screens each table scrolls by itself.
 const STYLE: &str = include_str!("html/style.css");
@@ -58,7 +60,36 @@ fn block(page: &mut String, block: &Block, words: &Words) {
             }
             page.push_str("</dl>\n");
         }
+        Block::Form(own) => form(page, own),
     }
+}
+
+/// A sheet of a form: a table whose columns are the edges of all its cells; on paper a page across.
+fn form(page: &mut String, form: &Form) {
+    let (widths, rows) = form.columns();
+    page.push_str(&format!(
+        "<div class=\"form scroll\" tabindex=\"0\"><p>{}</p>\n<table>\n<colgroup>",
+        escaped(&form.mark)
+    ));
+    widths.iter().for_each(|width| page.push_str(&format!("<col style=\"width:{:.1}mm\">", f64::from(*width) * 2.6)));
+    page.push_str("</colgroup>\n<tbody>\n");
+    for (row, cells) in form.rows.iter().zip(rows) {
+        page.push_str(&format!("<tr style=\"height:{:.2}mm\">", f64::from(row.lines) * 4.25));
+        for (cell, span) in cells {
+            let class = match cell.kind {
+                CellKind::Name => "name",
+                CellKind::Value => "value",
+                CellKind::Line => "line",
+                CellKind::Gap => "gap",
+            };
+            let down = if cell.rows > 1 { format!(" rowspan=\"{}\"", cell.rows) } else { String::new() };
+            // A date in the narrowest of them.
+            let class = if cell.kind == CellKind::Value && cell.width <= 6 { "value narrow" } else { class };
+            page.push_str(&format!("<td class=\"{class}\" colspan=\"{span}\"{down}>{}</td>", line(&cell.words)));
+        }
+        page.push_str("</tr>\n");
+    }
+    page.push_str("</tbody>\n</table></div>\n");
 }
 
 fn list(page: &mut String, items: &[Item]) {
@@ -149,7 +180,7 @@ fn line(inlines: &Inlines) -> String {
         let _ = match piece {
             Inline::Text(_) => write!(shown, "{}", unbroken(&plain)),
             Inline::Strong(_) => write!(shown, "<strong>{}</strong>", unbroken(&plain)),
-            Inline::Code(_) => write!(shown, "<code>{}</code>", escaped(&plain)),
+            Inline::Code(_) => write!(shown, "<code>{}</code>", unbroken(&plain)),
             Inline::Quantity { unit, .. } if unit.is_empty() => write!(shown, "{}", escaped(&plain)),
             Inline::Quantity { .. } => write!(shown, "<span>{}</span>", escaped(&plain)),
             Inline::Link { to, .. } => match clean::address(to) {

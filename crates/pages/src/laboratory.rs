@@ -1,7 +1,7 @@
 //! The laboratory report: the sixteen parts that the textbook asks for (5.3, l. 4888-4921), from one plan and its
 //! program. What only the author can write has a marked place.
 //!
-//! - `forms` one form of it by itself; `title` the title block, read from a file; `limits` what the part needs of the machine; `from_above` the drawing of
+//! - `forms` one form of it by itself; `cards` route and operation card; `title` the title block, read from a file; `tool_list` the tools; `limits` what the part needs of the machine; `from_above` the drawing of
 //!   the part.
 
 use crate::document::{Block, Column, Document, Drawing, Field, Inlines, Item, Table};
@@ -23,10 +23,12 @@ use super::sheet::{self, exactly, mm, rounded, route};
 use super::words::say;
 use super::{Doubts, Lang, cycles, operation_noun, setting, transitions};
 
+mod cards;
 mod forms;
 mod from_above;
 mod limits;
 mod title;
+mod tool_list;
 
 pub use forms::Form;
 pub use title::{TitleBlock, read_title, schema};
@@ -101,7 +103,7 @@ fn part(page: &mut Document, number: u8, own: &Sources<'_>, title: &TitleBlock, 
         5 => blank(page, plan, own.knowledge, lang),
         6 => steps(page, plan, lang),
         7 => route::work(page, plan, lang),
-        8 => page.push(sheet::tools(plan, lang)),
+        8 => tool_list::section(page, own, lang),
         9 => {
             sheet::conditions(page, plan, lang);
             allowances(page, plan, lang);
