@@ -25,11 +25,26 @@ pub enum Format {
     Hand,
     /// For continuous integration.
     Junit,
+    /// For Word.
+    Docx,
+    /// For spreadsheets, with typed figures.
+    Xlsx,
 }
 
 impl Format {
-    const ALL: [Self; 9] =
-        [Self::Text, Self::Json, Self::Yaml, Self::Csv, Self::Svg, Self::Markdown, Self::Html, Self::Hand, Self::Junit];
+    const ALL: [Self; 11] = [
+        Self::Text,
+        Self::Json,
+        Self::Yaml,
+        Self::Csv,
+        Self::Svg,
+        Self::Markdown,
+        Self::Html,
+        Self::Hand,
+        Self::Junit,
+        Self::Docx,
+        Self::Xlsx,
+    ];
 
     /// The extensions of its files, the usual one first.
     pub const fn endings(self) -> &'static [&'static str] {
@@ -42,6 +57,8 @@ impl Format {
             Self::Markdown => &[".md", ".markdown"],
             Self::Html => &[".html", ".htm"],
             Self::Junit => &[".xml"],
+            Self::Docx => &[".docx"],
+            Self::Xlsx => &[".xlsx"],
         }
     }
 
@@ -64,6 +81,8 @@ impl Format {
             Self::Html => "html",
             Self::Hand => "hand",
             Self::Junit => "junit",
+            Self::Docx => "docx",
+            Self::Xlsx => "xlsx",
         }
     }
 }
@@ -84,7 +103,7 @@ pub fn names(formats: &[Format]) -> String {
 
 /// Extensions of formats that no command writes: such a file would contain text.
 const OTHERS: &[&str] = &[
-    ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",
+    ".pdf", ".ps", ".eps", ".doc", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsm", ".ods", ".tsv",
     ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",
     ".step", ".stp", ".iges", ".igs", ".stl", ".cdw", ".frw", ".spw", ".zip", ".gz", ".7z", ".rar", ".tar", ".toml",
     ".ini", ".js", ".py", ".sqlite", ".db", ".exe",

@@ -177,13 +177,19 @@ impl Context {
         }
     }
 
-    /// Writes a page as text, Markdown or HTML.
+    /// Writes a page in the format of a document.
     ///
     /// # Errors
     /// It cannot be written.
-    #[allow(dead_code, reason = "pages move to documents one by one")]
     pub fn emit_document(&self, document: &Document, format: Format) -> Result<(), CliError> {
-        self.emit(&self.written(document, format))
+        let office = match format {
+            Format::Docx => technolog::office::docx(document, &self.words_of_documents()),
+            Format::Xlsx => technolog::office::xlsx(document, &self.words_of_documents()),
+            _ => return self.emit(&self.written(document, format)),
+        };
+        self.spare_inputs()?;
+        let bytes = office.map_err(|error| output::unprintable(self.lang, error))?;
+        output::write(&bytes, self.output.as_deref(), self.lang)
     }
 
     /// A page as text, Markdown or HTML.
@@ -194,14 +200,18 @@ impl Context {
             Format::Html => document::Format::Html,
             _ => document::Format::Text,
         };
-        let words = document::Words {
-            left_out: self.word("document-left-out"),
-            see_all: self.word("document-see-all"),
-            help: self.word("cli-help"),
-            figure: self.word("document-figure"),
-        };
         let screen = output::Screen::of(self.output.as_deref());
-        document::write(document, format, screen.width, screen.colour, &words)
+        document::write(document, format, screen.width, screen.colour, &self.words_of_documents())
+    }
+
+    /// The words that writers of pages need themselves.
+    fn words_of_documents(&self) -> document::Words<'static> {
+        document::Words {
+            left_out: self.lang.word("document-left-out"),
+            see_all: self.lang.word("document-see-all"),
+            help: self.lang.word("cli-help"),
+            figure: self.lang.word("document-figure"),
+        }
     }
 
     /// The width of a page in terminal columns; none for formats that have all the width they need.

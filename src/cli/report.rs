@@ -25,7 +25,7 @@ pub struct Args {
 }
 
 /// The formats of a report.
-pub const FORMATS: &[Format] = &[Format::Html, Format::Markdown, Format::Text];
+pub const FORMATS: &[Format] = &[Format::Html, Format::Markdown, Format::Text, Format::Docx, Format::Xlsx];
 
 /// Writes the report of a part.
 ///

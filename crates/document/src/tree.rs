@@ -139,7 +139,7 @@ pub struct FindingBlock {
 
 impl FindingBlock {
     /// The prefix on every page: a word with a colon, or the mark alone.
-    pub(crate) fn label(&self) -> String {
+    pub fn label(&self) -> String {
         let colon = if self.word.ends_with(char::is_alphanumeric) { ":" } else { "" };
         format!("{}{colon}", self.word)
     }
@@ -221,7 +221,7 @@ impl Column {
     }
 
     /// Heading and unit.
-    pub(crate) fn head(&self) -> Inlines {
+    pub fn head(&self) -> Inlines {
         let unit = &self.unit;
         match (self.heading.is_empty(), unit.is_empty()) {
             (_, true) => self.heading.clone(),
@@ -273,7 +273,7 @@ impl Table {
     }
 
     /// Whether any column has a heading.
-    pub(crate) fn has_head(&self) -> bool {
+    pub fn has_head(&self) -> bool {
         self.columns.iter().any(|column| !column.head().is_empty())
     }
 }

@@ -14,6 +14,7 @@ mod directed;
 mod drawings;
 mod fuzz;
 mod iso;
+mod office;
 mod proof;
 mod report;
 mod times;
