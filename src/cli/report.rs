@@ -11,9 +11,9 @@ use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Finding;
 use technolog::plan::CuttingMethod;
+use technolog::report;
 use technolog::report::encoding::encoding_sheet;
 use technolog::report::laboratory::{self, Sources, TitleBlock, framed, read_title};
-use technolog::report;
 use technolog::words::say;
 
 use super::diagnostics::Texts;

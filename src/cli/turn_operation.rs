@@ -233,7 +233,8 @@ pub fn report(
     let is_read = turned::reader(control.name(), knowledge).map_err(lacking)?.is_some();
     let mut printed = Vec::new();
     for (program, makes) in all.iter().zip(list.lines()) {
-        let mut remarks = program.remarks.iter().map(|why| say!(context.lang, "turn-single-passes", why = why)).collect::<Vec<_>>();
+        let mut remarks =
+            program.remarks.iter().map(|why| say!(context.lang, "turn-single-passes", why = why)).collect::<Vec<_>>();
         if !is_read {
             remarks.push(say!(context.lang, "turn-not-read-back", control = control.name()));
         }
@@ -241,7 +242,9 @@ pub fn report(
             Err(error) => Err(context.lang.say(&error.note())),
             // As for the program alone: what does not make the whole part is not given out.
             Ok(_) if operation.has_errors() => Err(context.lang.say(&Note::new("program-not-written"))),
-            Ok(files) => match turned::read_back(&operation, program.set_up, control.name(), files, knowledge).map_err(lacking)? {
+            Ok(files) => match turned::read_back(&operation, program.set_up, control.name(), files, knowledge)
+                .map_err(lacking)?
+            {
                 Some(why) => Err(context.lang.say(&NotWritten::Unsafe { why }.note())),
                 None => Ok(files.iter().map(|file| file.text.as_str()).collect::<Vec<_>>().join("\n")),
             },

@@ -29,17 +29,24 @@ pub fn html(document: &Document, words: &Words) -> String {
         page.push_str(&format!("<h1>{}</h1>\n", line(&document.title)));
     }
     let finding = |block: &Block| matches!(block, Block::Finding(_));
+    let mut under = document.title.plain();
     for blocks in document.blocks.chunk_by(|one, next| finding(one) && finding(next)) {
         let list = blocks.first().is_some_and(finding);
         page.push_str(if list { "<ul class=\"findings\">\n" } else { "" });
-        blocks.iter().for_each(|own| block(&mut page, own, words));
+        for own in blocks {
+            if let Block::Heading { words, .. } = own {
+                under = words.plain();
+            }
+            block(&mut page, own, &under, words);
+        }
         page.push_str(if list { "</ul>\n" } else { "" });
     }
     page.push_str("</main>\n</body>\n</html>\n");
     page
 }
 
-fn block(page: &mut String, block: &Block, words: &Words) {
+/// A block under a heading, which names the frame of a table for those who do not see it.
+fn block(page: &mut String, block: &Block, under: &str, words: &Words) {
     match block {
         Block::Heading { level, words } => {
             let level = (*level).clamp(1, 6);
@@ -47,7 +54,7 @@ fn block(page: &mut String, block: &Block, words: &Words) {
         }
         Block::Paragraph(words) => page.push_str(&format!("<p>{}</p>\n", line(words))),
         Block::List(items) => list(page, items),
-        Block::Table(content) => table(page, content),
+        Block::Table(content) => table(page, content, under),
         Block::Finding(own) => finding(page, own, words),
         Block::Drawing(drawing) => figure(page, drawing),
         Block::Code(code) => page.push_str(&format!("<pre><code>{}</code></pre>\n", escaped_lines(code))),
@@ -89,7 +96,7 @@ fn finding(page: &mut String, finding: &FindingBlock, words: &Words) {
 }
 
 /// A table in a frame that scrolls; the frame can be focused by keyboard.
-fn table(page: &mut String, table: &Table) {
+fn table(page: &mut String, table: &Table, under: &str) {
     let longest = |column: usize| table.rows().iter().map(|row| row[column].plain().chars().count()).max();
     // The last column may be off a narrow screen, where nobody sees why its rows are tall.
     let last = table.columns().len().saturating_sub(1);
@@ -101,7 +108,9 @@ fn table(page: &mut String, table: &Table) {
         Align::Left => "",
     };
     let classes: Vec<&str> = table.columns().iter().enumerate().map(class).collect();
-    page.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n");
+    let named =
+        if under.is_empty() { String::new() } else { format!(" role=\"group\" aria-label=\"{}\"", escaped(under)) };
+    page.push_str(&format!("<div class=\"scroll\" tabindex=\"0\"{named}><table>\n"));
     if table.has_head() {
         let heads = table.columns().iter().zip(&classes);
         let heads = heads.map(|(column, class)| format!("<th scope=\"col\"{class}>{}</th>", head(column)));

@@ -311,7 +311,8 @@ mod tests {
                    <text x=\"3\" y=\"4\" font-size=\"12\" text-anchor=\"middle\">a &lt; b</text></svg>";
         let picture = read(svg);
         assert_eq!((picture.width, picture.height), (30.0, 20.0));
-        let [Shape::Lines { lines, fill, pen: Some(pen) }, Shape::Text { text, anchor, .. }] = picture.shapes.as_slice()
+        let [Shape::Lines { lines, fill, pen: Some(pen) }, Shape::Text { text, anchor, .. }] =
+            picture.shapes.as_slice()
         else {
             panic!("{picture:?}")
         };

@@ -24,7 +24,8 @@ pub fn xlsx(document: &Document, words: &Words) -> Result<Vec<u8>, OfficeError> 
     let mut book = Workbook::new();
     let title = document.title.plain();
     // Without the time of the clock: the same page is the same file.
-    let properties = DocProperties::new().set_title(&title).set_creation_datetime(&ExcelDateTime::from_ymd(2000, 1, 1)?);
+    let properties =
+        DocProperties::new().set_title(&title).set_creation_datetime(&ExcelDateTime::from_ymd(2000, 1, 1)?);
     book.set_properties(&properties);
     let mut names = Names(BTreeSet::new());
     let front_name = names.take(&title);
@@ -99,11 +100,13 @@ impl Front<'_> {
             Block::Paragraph(words) => self.line(&words.plain(), 0, None),
             Block::List(items) => self.items(items, 1),
             Block::Finding(finding) => self.finding(finding),
-            Block::Drawing(drawing) => self.line(&format!("[{}] {}", self.words.figure, drawing.caption.plain()), 0, None),
+            Block::Drawing(drawing) => {
+                self.line(&format!("[{}] {}", self.words.figure, drawing.caption.plain()), 0, None)
+            }
             Block::Code(code) => code.lines().try_for_each(|own| self.line(own, 0, None)),
-            Block::Fields(fields) => fields.iter().try_for_each(|field| {
-                self.line(&format!("{}: {}", field.label.plain(), field.value.plain()), 0, None)
-            }),
+            Block::Fields(fields) => fields
+                .iter()
+                .try_for_each(|field| self.line(&format!("{}: {}", field.label.plain(), field.value.plain()), 0, None)),
             Block::Heading { .. } | Block::Table(_) => Ok(()),
         }
     }

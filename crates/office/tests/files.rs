@@ -24,7 +24,9 @@ fn page() -> Document {
     page.push(wide);
     let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100\" height=\"50\"><polyline points=\"1,1 9,9\" \
                fill=\"none\" stroke=\"#333\" stroke-width=\"1\"/><text x=\"5\" y=\"9\" font-size=\"12\">Ø10</text></svg>";
-    page.push(Drawing { svg: svg.into(), caption: "Рисунок".into(), alternative: "лінія \"&\" текст".into() });
+    page.push(Drawing {
+        svg: svg.into(), caption: "Рисунок".into(), alternative: "лінія \"&\" текст".into()
+    });
     let finding = FindingBlock::new(Severity::Error, "помилка", "не вистачає <сили>");
     page.push(FindingBlock { details: vec!["чому".into()], help: Some("як".into()), ..finding });
     page.push(Block::Code("N5 G0\nN10 M2\n".into()));
@@ -104,7 +106,8 @@ fn a_workbook_has_its_figures_as_numbers() {
     // What is no table stands in front, so that no finding is lost.
     let front = book.worksheet_range(&names[0]).unwrap();
     let lines: Vec<String> = front.rows().map(|row| row[0].to_string()).collect();
-    for said in ["Матеріал: Сталь 45", "помилка: не вистачає <сили>", "чому", "help: як", "N10 M2"] {
+    for said in ["Матеріал: Сталь 45", "помилка: не вистачає <сили>", "чому", "help: як", "N10 M2"]
+    {
         assert!(lines.iter().any(|line| line == said), "{said} in {lines:?}");
     }
     for name in &names {

@@ -69,7 +69,9 @@ impl Placed {
     fn holes<'p>(&self, part: &'p Part) -> impl Iterator<Item = (Point, Micrometres, &'p str)> + 'p {
         let (middle, back) = (part.middle().x, self.face == Face::Back);
         let turned = move |at: Point| Point { x: if back { middle + middle - at.x } else { at.x }, y: at.y };
-        let all = move |hole: &'p Hole| hole.at.iter().map(move |&at| (turned(at), hole.diameter.nominal, hole.name.as_str()));
+        let all = move |hole: &'p Hole| {
+            hole.at.iter().map(move |&at| (turned(at), hole.diameter.nominal, hole.name.as_str()))
+        };
         part.holes.iter().flat_map(all)
     }
 }
@@ -177,6 +179,7 @@ pub(crate) fn sheets(steps: &[MotionStep], frame: &Frame<'_>, lang: Lang) -> Vec
     let panels = read::panels(steps, Some(frame));
     let Some(extent) = extent(&panels, Some(frame)) else { return Vec::new() };
     let scale = scale(extent, SHEET);
+    // At least one, as tall as it is.
     let fit = (SHEET_HEIGHT / (TITLE + extent.up() * scale + MARGIN)).max(1.0) as usize;
     let drawn = panels.chunks(fit).enumerate().map(|(at, own)| {
         let tools = own.iter().filter_map(|panel| panel.tool).collect();

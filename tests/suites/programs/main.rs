@@ -8,6 +8,7 @@
     reason = "clippy allows it in tests, but not in the functions they share"
 )]
 
+mod browser;
 mod cases;
 mod clamps;
 mod directed;

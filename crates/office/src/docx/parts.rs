@@ -83,16 +83,40 @@ type Style = (&'static str, &'static str, &'static str, &'static str, &'static s
 
 /// 14 points and 1.5 lines for running text (DSTU 3008), one line elsewhere.
 const STYLES: [Style; 12] = [
-    ("BodyText", "Body Text", "Normal", "<w:spacing w:line=\"360\" w:lineRule=\"auto\"/><w:ind w:firstLine=\"709\"/><w:jc w:val=\"both\"/>", ""),
-    ("Title", "Title", "Normal", "<w:keepNext/><w:spacing w:after=\"240\"/><w:jc w:val=\"center\"/>", "<w:b/><w:sz w:val=\"32\"/>"),
-    ("Field", "Field", "Normal", "<w:spacing w:line=\"360\" w:lineRule=\"auto\"/><w:ind w:left=\"709\" w:hanging=\"709\"/>", ""),
+    (
+        "BodyText",
+        "Body Text",
+        "Normal",
+        "<w:spacing w:line=\"360\" w:lineRule=\"auto\"/><w:ind w:firstLine=\"709\"/><w:jc w:val=\"both\"/>",
+        "",
+    ),
+    (
+        "Title",
+        "Title",
+        "Normal",
+        "<w:keepNext/><w:spacing w:after=\"240\"/><w:jc w:val=\"center\"/>",
+        "<w:b/><w:sz w:val=\"32\"/>",
+    ),
+    (
+        "Field",
+        "Field",
+        "Normal",
+        "<w:spacing w:line=\"360\" w:lineRule=\"auto\"/><w:ind w:left=\"709\" w:hanging=\"709\"/>",
+        "",
+    ),
     ("ListBullet", "List Bullet", "Normal", "<w:spacing w:line=\"360\" w:lineRule=\"auto\"/>", ""),
     ("TableText", "Table Text", "Normal", "", "<w:sz w:val=\"20\"/>"),
     ("TableHead", "Table Head", "TableText", "<w:keepNext/><w:jc w:val=\"center\"/>", "<w:b/>"),
     ("Note", "Note", "Normal", "<w:spacing w:before=\"60\" w:after=\"60\"/>", "<w:sz w:val=\"24\"/>"),
     ("Figure", "Figure", "Normal", "<w:spacing w:before=\"120\"/><w:jc w:val=\"center\"/>", ""),
     ("Caption", "caption", "Normal", "<w:spacing w:before=\"120\" w:after=\"240\"/><w:jc w:val=\"center\"/>", ""),
-    ("Code", "Code", "Normal", "", "<w:rFonts w:ascii=\"Courier New\" w:hAnsi=\"Courier New\" w:cs=\"Courier New\"/><w:sz w:val=\"20\"/>"),
+    (
+        "Code",
+        "Code",
+        "Normal",
+        "",
+        "<w:rFonts w:ascii=\"Courier New\" w:hAnsi=\"Courier New\" w:cs=\"Courier New\"/><w:sz w:val=\"20\"/>",
+    ),
     ("Break", "Break", "Normal", "", "<w:sz w:val=\"12\"/>"),
     ("Header", "header", "Normal", "<w:jc w:val=\"right\"/>", ""),
 ];

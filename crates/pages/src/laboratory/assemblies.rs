@@ -10,7 +10,7 @@ use super::Lang;
 const WIDTH: f64 = 680.0;
 const MARGIN: f64 = 24.0;
 /// The height of a tool with its figures, and how many stand on a sheet.
-const ROW: f64 = 108.0;
+const ROW: f64 = 114.0;
 const ROWS: usize = 8;
 /// The widest that a diameter is drawn.
 const WIDEST: f64 = 44.0;
@@ -35,7 +35,12 @@ pub(super) fn sheets(plan: &Plan, lang: Lang) -> Vec<String> {
 fn one(canvas: &mut Canvas, top: f64, tool: &ToolPlan, scale: f64, lang: Lang) {
     let offset = say!(lang, "lab-assembly-offset", offset = tool.correction_mm);
     let (number, register) = (tool.number, tool.corrector);
-    let title = format!("T{number} {} Ø{}; {}; H{register:02}: {offset}", tool.designation, mm(tool.diameter_mm, lang), tool.holder);
+    let title = format!(
+        "T{number} {} Ø{}; {}; H{register:02}: {offset}",
+        tool.designation,
+        mm(tool.diameter_mm, lang),
+        tool.holder
+    );
     canvas.text((MARGIN, top + 18.0), 12.0, Anchor::Start, &title);
     let axis = top + 52.0;
     let holder = tool.length_mm - tool.overhang_mm;
@@ -48,9 +53,9 @@ fn one(canvas: &mut Canvas, top: f64, tool: &ToolPlan, scale: f64, lang: Lang) {
     canvas.rectangle((joint, axis - half), (end, axis + half), "white", Some(INK));
     canvas.line(&[(nose - 18.0, axis), (end + 10.0, axis)], Pen::dashed("#999", 0.7));
     let texts = [
-        (nose, joint, 34.0, say!(lang, "lab-assembly-holder", length = holder)),
-        (joint, end, 34.0, say!(lang, "lab-assembly-overhang", length = tool.overhang_mm)),
-        (nose, end, 50.0, say!(lang, "lab-assembly-length", length = tool.length_mm)),
+        (nose, joint, 39.0, say!(lang, "lab-assembly-holder", length = holder)),
+        (joint, end, 39.0, say!(lang, "lab-assembly-overhang", length = tool.overhang_mm)),
+        (nose, end, 56.0, say!(lang, "lab-assembly-length", length = tool.length_mm)),
     ];
     for (from, to, down, text) in texts {
         let y = axis + down;

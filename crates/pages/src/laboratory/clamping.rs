@@ -4,7 +4,7 @@
 use crate::part::{Outline, Point};
 use crate::plan::{Clamping, Plan};
 
-use super::super::canvas::{Anchor, At, Canvas, Pen};
+use super::super::canvas::{Anchor, At, Canvas, Pen, width_of};
 use super::super::sheet::{exactly, rounded};
 use super::super::words::say;
 use super::Lang;
@@ -30,6 +30,9 @@ pub(super) fn scheme(plan: &Plan, lang: Lang) -> Option<String> {
         if let Some(strap) = clamping.strap
             && let Outline::Box(low, high) = strap.standing(*at, &plan.part).outline
         {
+            let foot = plate.corner.1 + plate.up + MARGIN - 24.0;
+            let on_page = |(x, y): At| (x.clamp(4.0, WIDTH - 4.0), y.clamp(4.0, foot));
+            // A strap may reach beyond the page.
             canvas.rectangle(on_page(plate.at(low)), on_page(plate.at(high)), "#f0e6dc", Some(CLAMP));
         }
         // Where it presses.
@@ -59,9 +62,14 @@ fn arm(canvas: &mut Canvas, plate: &Plate, clamping: &Clamping, plan: &Plan, lan
     canvas.line(&[a, b], FORCE);
     canvas.head(a, b, FORCE);
     canvas.head(b, a, FORCE);
-    let middle = ((a.0 + b.0) / 2.0, (a.1 + b.1) / 2.0 - 6.0);
     let said = say!(lang, "lab-clamping-arm", distance = rounded(clamping.distance_mm.to_mm(), 1));
-    canvas.text(middle, SIZE, Anchor::Middle, &said);
+    // Beside the line, above it, whichever way it falls.
+    let long = libm::hypot(b.0 - a.0, b.1 - a.1).max(1.0);
+    let (nx, ny) = ((b.1 - a.1) / long, (a.0 - b.0) / long);
+    let up = if ny > 0.0 { -1.0 } else { 1.0 };
+    let off = 8.0 + nx.abs() * width_of(&said, SIZE) / 2.0;
+    let beside = ((a.0 + b.0) / 2.0 + nx * up * off, (a.1 + b.1) / 2.0 + ny * up * off + SIZE / 3.0);
+    canvas.text(beside, SIZE, Anchor::Middle, &said);
     let acts = match clamping.side_force_n {
         Some(side) => say!(lang, "lab-clamping-side", side = rounded(side.0, 0)),
         None => say!(lang, "lab-clamping-torque", torque = exactly(clamping.torque_n_m.0, 2)),
@@ -74,9 +82,4 @@ fn arm(canvas: &mut Canvas, plate: &Plate, clamping: &Clamping, plan: &Plan, lan
 /// In mm.
 fn distance(a: Point, b: Point) -> f64 {
     libm::hypot((a.x - b.x).to_mm(), (a.y - b.y).to_mm())
-}
-
-/// Straps end at the edge of the page.
-fn on_page((x, y): At) -> At {
-    (x.clamp(4.0, WIDTH - 4.0), y.max(4.0))
 }

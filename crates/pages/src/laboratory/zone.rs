@@ -13,8 +13,10 @@ use super::Lang;
 const WIDTH: f64 = 680.0;
 const MARGIN: f64 = 20.0;
 /// What the figures at the right need.
-const FIGURES: f64 = 190.0;
-const TALLEST: f64 = 420.0;
+const FIGURES: f64 = 150.0;
+/// What the height of the spindle needs at the left.
+const LEFT: f64 = 30.0;
+const TALLEST: f64 = 460.0;
 const INK: Pen = Pen::solid("#333", 1.2);
 const THIN: Pen = Pen::solid("#888", 0.8);
 /// The table on the page: only its upper side matters.
@@ -29,15 +31,18 @@ pub(super) fn drawing(plan: &Plan, stand: &Stand, machine: &Machine<'_>, lang: L
     let of_table = machine.characteristics().find(|own| own.name == MachineQuantity::TableLength.name());
     let table = of_table.and_then(|own| own.values.first().copied()).map(Micrometres::from_mm_rounded)?;
     let part = &plan.part;
-    let scale = ((WIDTH - 2.0 * MARGIN - FIGURES) / table.to_mm().max(1.0)).min(TALLEST / nose.to_mm().max(1.0));
+    let (left, right) = (stand.corner_mm.x.to_mm(), (stand.corner_mm.x + part.blank.length).to_mm());
+    // Of a long table as much as the part and the spindle need; it is broken off on both sides.
+    let whole = table.to_mm() / 2.0;
+    let half = whole.min(1.3 * left.abs().max(right.abs()).max(nose.to_mm() / 2.0));
+    let room = WIDTH - 2.0 * MARGIN - FIGURES - LEFT;
+    let scale = (room / (2.0 * half).max(1.0)).min(TALLEST / nose.to_mm().max(1.0));
     let floor = MARGIN + 34.0 + nose.to_mm() * scale;
-    let middle = MARGIN + table.to_mm() * scale / 2.0;
+    let middle = MARGIN + LEFT + room / 2.0;
     // Lengths from the middle of the table, heights over it.
     let at = |x: f64, z: f64| -> At { (middle + x * scale, floor - z * scale) };
     let (low, top) = (stand.height_mm.to_mm(), (stand.height_mm + part.blank.thickness).to_mm());
-    let (left, right) = (stand.corner_mm.x.to_mm(), (stand.corner_mm.x + part.blank.length).to_mm());
     let mut canvas = Canvas::default();
-    let half = table.to_mm() / 2.0;
     let (edge, side) = (at(-half, 0.0), at(half, 0.0));
     canvas.rectangle(edge, (side.0, floor + TABLE), "#e6e6e6", Some(INK));
     if low > 0.0 {
@@ -60,8 +65,12 @@ pub(super) fn drawing(plan: &Plan, stand: &Stand, machine: &Machine<'_>, lang: L
     canvas.line(&[(axis, MARGIN - 8.0), (axis, floor)], Pen::dashed("#999", 0.7));
     canvas.text((axis + wide + 6.0, MARGIN + 14.0), 12.0, Anchor::Start, &format!("T{}", tool.number));
     let gap = tip - stand.height_mm - part.blank.thickness;
+    let x = MARGIN + 6.0;
+    canvas.line(&[(x - 4.0, face), (axis - wide, face)], Pen::solid("#ccc", 0.6));
+    canvas.line(&[(x - 4.0, floor), (edge.0, floor)], Pen::solid("#ccc", 0.6));
+    height(&mut canvas, x, floor, face);
+    canvas.text((x + 6.0, face + 16.0), 11.0, Anchor::Start, &say!(lang, "lab-zone-nose", height = nose));
     let heights = [
-        (0.0, nose.to_mm(), say!(lang, "lab-zone-nose", height = nose)),
         (tip.to_mm(), nose.to_mm(), say!(lang, "lab-zone-tool", length = tool.length_mm)),
         (top, tip.to_mm(), say!(lang, "lab-zone-gap", height = gap)),
         (low, top, say!(lang, "lab-zone-part", height = part.blank.thickness)),
@@ -69,33 +78,42 @@ pub(super) fn drawing(plan: &Plan, stand: &Stand, machine: &Machine<'_>, lang: L
     ];
     figures(&mut canvas, &heights, side.0, &|z| at(0.0, z).1, axis);
     let below = floor + TABLE + 18.0;
-    canvas.line(&[(edge.0, below), (side.0, below)], THIN);
-    canvas.head((edge.0, below), (side.0, below), THIN);
-    canvas.head((side.0, below), (edge.0, below), THIN);
-    canvas.text((middle, below + 14.0), 12.0, Anchor::Middle, &say!(lang, "lab-zone-table", length = table));
+    let length = say!(lang, "lab-zone-table", length = table);
+    if half < whole {
+        // The ends are not those of the table: the length is told, not measured off.
+        for x in [edge.0, side.0] {
+            canvas.rectangle((x - 4.0, floor - 2.0), (x + 4.0, floor + TABLE + 2.0), "white", None);
+        }
+        canvas.text((middle, below), 12.0, Anchor::Middle, &length);
+    } else {
+        canvas.line(&[(edge.0, below), (side.0, below)], THIN);
+        canvas.head((edge.0, below), (side.0, below), THIN);
+        canvas.head((side.0, below), (edge.0, below), THIN);
+        canvas.text((middle, below + 14.0), 12.0, Anchor::Middle, &length);
+    }
     Some((tool.number, canvas.page(WIDTH, below + 26.0)))
 }
 
 /// The heights at the right, each with its own line; texts that would stand in one another are moved down.
 fn figures(canvas: &mut Canvas, heights: &[(f64, f64, String)], side: f64, y: &dyn Fn(f64) -> f64, from: f64) {
-    let [whole, parts @ ..] = heights else { return };
     let mut last = f64::NEG_INFINITY;
-    let one = |canvas: &mut Canvas, x: f64, own: &(f64, f64, String), row: f64| {
-        let (low, high) = (y(own.0), y(own.1));
+    for (low, high, text) in heights.iter().filter(|own| own.1 > own.0) {
+        let (low, high) = (y(*low), y(*high));
+        let row = ((low + high) / 2.0 + 4.0).max(last + 15.0);
+        last = row;
+        let x = side + 14.0;
         for level in [low, high] {
             canvas.line(&[(from + 24.0, level), (x + 4.0, level)], Pen::solid("#ccc", 0.6));
         }
-        canvas.line(&[(x, low), (x, high)], THIN);
-        canvas.head((x, high), (x, low), THIN);
-        canvas.head((x, low), (x, high), THIN);
+        height(canvas, x, low, high);
         canvas.line(&[(x, (low + high) / 2.0), (x + 10.0, row - 4.0)], Pen::solid("#ccc", 0.6));
-        canvas.text((x + 12.0, row), 11.0, Anchor::Start, &own.2);
-    };
-    for own in parts.iter().filter(|own| own.1 > own.0) {
-        let row = ((y(own.0) + y(own.1)) / 2.0 + 4.0).max(last + 15.0);
-        last = row;
-        one(canvas, side + 14.0, own, row);
+        canvas.text((x + 12.0, row), 11.0, Anchor::Start, text);
     }
-    // The whole height stands farther out, its text above all others.
-    one(canvas, side + 100.0, whole, y(whole.1) - 6.0);
+}
+
+/// An upright dimension line.
+fn height(canvas: &mut Canvas, x: f64, low: f64, high: f64) {
+    canvas.line(&[(x, low), (x, high)], THIN);
+    canvas.head((x, high), (x, low), THIN);
+    canvas.head((x, low), (x, high), THIN);
 }
