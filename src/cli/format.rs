@@ -101,6 +101,12 @@ pub fn names(formats: &[Format]) -> String {
     formats.iter().map(|format| format.name()).collect::<Vec<_>>().join(", ")
 }
 
+/// The endings of the files of formats, in the order of these. A hand-written plan has the ending of any YAML.
+pub fn endings(formats: &[Format]) -> String {
+    let known = formats.iter().filter(|format| **format != Format::Hand || !formats.contains(&Format::Yaml));
+    known.flat_map(|format| format.endings()).copied().collect::<Vec<_>>().join(", ")
+}
+
 /// Extensions of formats that no command writes: such a file would contain text.
 const OTHERS: &[&str] = &[
     ".pdf", ".ps", ".eps", ".doc", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsm", ".ods", ".tsv", ".ppt", ".pptx",

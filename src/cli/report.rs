@@ -4,6 +4,7 @@
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
+use clap::builder::PossibleValuesParser;
 use technolog::audit::Auditor;
 use technolog::cases::{FileKind, other_kind};
 use technolog::document::Document;
@@ -13,11 +14,12 @@ use technolog::note::Finding;
 use technolog::plan::CuttingMethod;
 use technolog::report;
 use technolog::report::encoding::encoding_sheet;
-use technolog::report::laboratory::{self, Sources, TitleBlock, framed, read_title};
+use technolog::report::laboratory::{self, Form, Sources, TitleBlock, framed, read_title};
 use technolog::words::say;
 
 use super::diagnostics::Texts;
 use super::input::FileRoots;
+use super::printers::{self, Targets};
 use super::program::Made;
 use super::{CliError, Context, Format, Outcome, audit, control, knowledge, plan, turn, turn_operation};
 
@@ -28,19 +30,21 @@ pub struct Args {
     part: PathBuf,
     #[arg(long, value_name = "FILE")]
     title: Option<PathBuf>,
+    #[arg(long, value_name = "FORM", value_parser = PossibleValuesParser::new(Form::NAMES.map(|(name, _)| name)))]
+    only: Option<String>,
     #[arg(long, value_parser = control::Names { lathes: true })]
     control: Option<String>,
 }
 
 /// The formats of a report.
-pub const FORMATS: &[Format] = &[Format::Html, Format::Markdown, Format::Text, Format::Docx, Format::Xlsx];
+pub const FORMATS: &[Format] = &printers::FORMATS;
 
 /// Writes the report of a part with holes, of a turned part, or of the audit of a plan, whichever the file is.
 ///
 /// # Errors
 /// The file or the title block cannot be used; all their mistakes are reported at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("report", FORMATS)?;
+    let targets = Targets::of("report", context)?;
     let knowledge = knowledge::load(context)?;
     let title = args.title.as_deref().map(|path| title_block(path, context)).transpose()?.unwrap_or_default();
     let kind = other_kind(&args.part.display().to_string(), &context.text(&args.part)?, FileKind::Part);
@@ -49,7 +53,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         Some((FileKind::Plan, _)) => of_plan(args, &title, knowledge, context)?,
         _ => of_part(args, &title, knowledge, context)?,
     };
-    context.emit_document(&page, format)?;
+    targets.print(&page, context)?;
     Ok(outcome)
 }
 
@@ -60,7 +64,7 @@ fn turned(
     knowledge: &Knowledge,
     context: &Context,
 ) -> Result<(Document, Outcome), CliError> {
-    has_no_parts(title, context)?;
+    is_whole(args, title, context)?;
     let control = match args.control.as_deref() {
         None => turn_operation::Control::Linuxcnc,
         Some(name) => turn_operation::Control::named(name).ok_or_else(|| {
@@ -82,7 +86,7 @@ fn of_plan(
     knowledge: &Knowledge,
     context: &Context,
 ) -> Result<(Document, Outcome), CliError> {
-    has_no_parts(title, context)?;
+    is_whole(args, title, context)?;
     if args.control.is_some() {
         let message = context.word("cli-report-audit-control");
         return Err(Diagnostic::error("no-control", message, None).into());
@@ -94,13 +98,14 @@ fn of_plan(
     Ok((framed(report::audit::page(&found, context.lang), title, false, context.lang), outcome))
 }
 
-/// Only the report of a part with holes has numbered parts.
-fn has_no_parts(title: &TitleBlock, context: &Context) -> Result<(), CliError> {
-    if title.parts.is_none() {
-        return Ok(());
-    }
-    let problem = Diagnostic::error("no-parts", context.word("cli-report-no-parts"), None);
-    Err(problem.help(context.word("cli-report-leave-parts")).into())
+/// Only the report of a part with holes has numbered parts and forms that stand by themselves.
+fn is_whole(args: &Args, title: &TitleBlock, context: &Context) -> Result<(), CliError> {
+    let (message, help) = match (&args.only, &title.parts) {
+        (Some(_), _) => ("cli-report-no-forms", "cli-report-leave-only"),
+        (None, Some(_)) => ("cli-report-no-parts", "cli-report-leave-parts"),
+        (None, None) => return Ok(()),
+    };
+    Err(Diagnostic::error("no-parts", context.word(message), None).help(context.word(help)).into())
 }
 
 /// The report of a part with holes, in sixteen parts.
@@ -134,9 +139,13 @@ fn of_part(
         left: &left,
         knowledge,
     };
-    let page = laboratory::page(&sources, title, context.lang).map_err(at_fault)?;
+    let form = args.only.as_deref().and_then(Form::named);
+    let page = match form {
+        Some(form) => form.page(&sources, context.lang),
+        None => laboratory::page(&sources, title, context.lang),
+    };
     let wrong = plan.has_errors() || warning.is_some() || !left.is_empty();
-    Ok((page, if wrong { Outcome::Findings } else { Outcome::Done }))
+    Ok((page.map_err(at_fault)?, if wrong { Outcome::Findings } else { Outcome::Done }))
 }
 
 fn title_block(path: &Path, context: &Context) -> Result<TitleBlock, CliError> {

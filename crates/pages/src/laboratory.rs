@@ -1,9 +1,9 @@
 //! The laboratory report: the sixteen parts that the textbook asks for (5.3, l. 4888-4921), from one plan and its
 //! program. What only the author can write has a marked place.
 //!
-//! - `title` the title block, read from a file; `limits` what the part needs of the machine; `from_above` the drawing of
-//!   the part; `framed` the title block around other pages; `clamping`, `assemblies` and `zone` drawings of
-//!   the set-up.
+//! - `forms` one form of it by itself; `title` the title block, read from a file, `framed` the same around other pages;
+//!   `limits` what the part needs of the machine;
+//! - `from_above` the drawing of the part; `clamping`, `assemblies` and `zone` those of the set-up.
 
 use crate::document::{Block, Column, Document, Drawing, Field, Inlines, Item, Table};
 use crate::error::KnowledgeError;
@@ -26,12 +26,14 @@ use super::{Doubts, Lang, cycles, operation_noun, setting, transitions};
 
 mod assemblies;
 mod clamping;
+mod forms;
 mod framed;
 mod from_above;
 mod limits;
 mod title;
 mod zone;
 
+pub use forms::Form;
 pub use framed::framed;
 pub use title::{TitleBlock, read_title, schema};
 

@@ -1,5 +1,5 @@
 //! The working zone from the front, in scale: the table, what the part lies on, the part, and the longest tool over the zero
-//! of the part, at the level where the program first approaches. Set-up by set-up.
+//! of the part while the quill is retracted. Set-up by set-up.
 
 use crate::machine::Machine;
 use crate::plan::{Plan, Stand};
@@ -45,7 +45,10 @@ pub(super) fn drawing(plan: &Plan, stand: &Stand, machine: &Machine<'_>, lang: L
     let mut canvas = Canvas::default();
     let (edge, side) = (at(-half, 0.0), at(half, 0.0));
     canvas.rectangle(edge, (side.0, floor + TABLE), "#e6e6e6", Some(INK));
-    if low > 0.0 {
+    if plan.setup.vice.is_some() {
+        // Its jaws are not drawn: the plan knows how high it holds the part, not how they look.
+        canvas.rectangle(at(left, 0.0), at(right, low), "#f0e6dc", Some(INK));
+    } else if low > 0.0 {
         let wide = ((right - left) * 0.08).max(4.0 / scale);
         for x in [left + wide, right - 2.0 * wide] {
             canvas.rectangle(at(x, 0.0), at(x + wide, low), "#f0e6dc", Some(INK));
@@ -74,7 +77,10 @@ pub(super) fn drawing(plan: &Plan, stand: &Stand, machine: &Machine<'_>, lang: L
         (tip.to_mm(), nose.to_mm(), say!(lang, "lab-zone-tool", length = tool.length_mm)),
         (top, tip.to_mm(), say!(lang, "lab-zone-gap", height = gap)),
         (low, top, say!(lang, "lab-zone-part", height = part.blank.thickness)),
-        (0.0, low, say!(lang, "lab-zone-supports", height = stand.height_mm)),
+        match plan.setup.vice {
+            Some(_) => (0.0, low, say!(lang, "lab-zone-vice", height = stand.height_mm)),
+            None => (0.0, low, say!(lang, "lab-zone-supports", height = stand.height_mm)),
+        },
     ];
     figures(&mut canvas, &heights, side.0, &|z| at(0.0, z).1, axis);
     let below = floor + TABLE + 18.0;

@@ -33,6 +33,7 @@ help-check-setting = What the operator sets: zeros, offset registers, switches (
 help-report = The report of a laboratory work in sixteen parts: plan, drawings, settings and program in one file
 help-report-part = The part file
 help-report-title = The title block (docs/report.md): who hands in what and when; which parts to print
+help-report-only = One form by itself instead of the sixteen parts
 help-report-control = The control to write the program for; by default that of the machine
 help-program = The NC program of a part; before it is shown it is checked as `check` does
 help-program-part = The part file
