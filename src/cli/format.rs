@@ -21,6 +21,8 @@ pub enum Format {
     Markdown,
     /// For the browser.
     Html,
+    /// For paper.
+    Pdf,
     /// A plan in the form of a hand-written one.
     Hand,
     /// For continuous integration.
@@ -32,7 +34,7 @@ pub enum Format {
 }
 
 impl Format {
-    const ALL: [Self; 11] = [
+    const ALL: [Self; 12] = [
         Self::Text,
         Self::Json,
         Self::Yaml,
@@ -40,6 +42,7 @@ impl Format {
         Self::Svg,
         Self::Markdown,
         Self::Html,
+        Self::Pdf,
         Self::Hand,
         Self::Junit,
         Self::Docx,
@@ -56,6 +59,7 @@ impl Format {
             Self::Svg => &[".svg"],
             Self::Markdown => &[".md", ".markdown"],
             Self::Html => &[".html", ".htm"],
+            Self::Pdf => &[".pdf"],
             Self::Junit => &[".xml"],
             Self::Docx => &[".docx"],
             Self::Xlsx => &[".xlsx"],
@@ -79,6 +83,7 @@ impl Format {
             Self::Svg => "svg",
             Self::Markdown => "markdown",
             Self::Html => "html",
+            Self::Pdf => "pdf",
             Self::Hand => "hand",
             Self::Junit => "junit",
             Self::Docx => "docx",

@@ -204,16 +204,16 @@ impl Context {
             _ => document::Format::Text,
         };
         let screen = output::Screen::of(file);
-        document::write(document, format, screen.width, screen.colour, &self.words_of_documents())
+        document::write(document, format, screen.width, screen.colour, &self.page_words())
     }
 
-    /// The words that writers of pages need themselves.
-    pub fn words_of_documents(&self) -> document::Words<'static> {
+    /// The words that the writers of pages need themselves.
+    fn page_words(&self) -> document::Words<'_> {
         document::Words {
-            left_out: self.lang.word("document-left-out"),
-            see_all: self.lang.word("document-see-all"),
-            help: self.lang.word("cli-help"),
-            figure: self.lang.word("document-figure"),
+            left_out: self.word("document-left-out"),
+            see_all: self.word("document-see-all"),
+            help: self.word("cli-help"),
+            figure: self.word("document-figure"),
         }
     }
 

@@ -29,8 +29,9 @@ impl Printer {
 }
 
 /// All printers; the first is that of a report for which none is named.
-pub const PRINTERS: [Printer; 5] = [
+pub const PRINTERS: [Printer; 6] = [
     Printer::here(Format::Html, html),
+    PDF,
     Printer::here(Format::Markdown, markdown),
     Printer::here(Format::Text, text),
     Printer::here(Format::Docx, docx),
@@ -48,6 +49,14 @@ pub const FORMATS: [Format; PRINTERS.len()] = {
     formats
 };
 
+#[cfg(feature = "pdf")]
+const PDF: Printer = Printer::here(Format::Pdf, |page, _, context| {
+    technolog_pdf::pdf(page, &context.page_words()).map_err(|why| super::output::unprintable(context.lang, why.0))
+});
+
+#[cfg(not(feature = "pdf"))]
+const PDF: Printer = Printer { format: Format::Pdf, print: html, lacks: Some("cargo build --release --features pdf") };
+
 fn html(page: &Document, file: Option<&Path>, context: &Context) -> Result<Vec<u8>, CliError> {
     Ok(context.written(page, Format::Html, file).into_bytes())
 }
@@ -62,12 +71,12 @@ fn text(page: &Document, file: Option<&Path>, context: &Context) -> Result<Vec<u
 
 fn docx(page: &Document, file: Option<&Path>, context: &Context) -> Result<Vec<u8>, CliError> {
     not_for_the_screen(Format::Docx, file, context)?;
-    technolog::office::docx(page, &context.words_of_documents()).map_err(|error| unprintable(context.lang, error))
+    technolog::office::docx(page, &context.page_words()).map_err(|error| unprintable(context.lang, error))
 }
 
 fn xlsx(page: &Document, file: Option<&Path>, context: &Context) -> Result<Vec<u8>, CliError> {
     not_for_the_screen(Format::Xlsx, file, context)?;
-    technolog::office::xlsx(page, &context.words_of_documents()).map_err(|error| unprintable(context.lang, error))
+    technolog::office::xlsx(page, &context.page_words()).map_err(|error| unprintable(context.lang, error))
 }
 
 /// A terminal cannot show what is no text.

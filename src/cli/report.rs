@@ -141,7 +141,7 @@ fn of_part(
     };
     let form = args.only.as_deref().and_then(Form::named);
     let page = match form {
-        Some(form) => form.page(&sources, context.lang),
+        Some(form) => form.page(&sources, title, context.lang),
         None => laboratory::page(&sources, title, context.lang),
     };
     let wrong = plan.has_errors() || warning.is_some() || !left.is_empty();

@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
-use crate::{Align, Block, Column, Document, Drawing, FindingBlock, Inline, Inlines, Item, Table, Words, clean};
+use crate::{
+    Align, Block, CellKind, Column, Document, Drawing, FindingBlock, Form, Inline, Inlines, Item, Table, Words, clean,
+};
 
 /// Colours for light and dark mode and for paper; on narrow screens each table scrolls by itself.
 const STYLE: &str = include_str!("html/style.css");
@@ -65,7 +67,37 @@ fn block(page: &mut String, block: &Block, under: &str, words: &Words) {
             }
             page.push_str("</dl>\n");
         }
+        Block::Form(own) => form(page, own, under),
     }
+}
+
+/// A sheet of a form: a table whose columns are the edges of all its cells; on paper a page across.
+fn form(page: &mut String, form: &Form, under: &str) {
+    let (widths, rows) = form.columns();
+    page.push_str(&format!(
+        "<div class=\"form scroll\" tabindex=\"0\"{}><p>{}</p>\n<table>\n<colgroup>",
+        named(under),
+        escaped(&form.mark)
+    ));
+    widths.iter().for_each(|width| page.push_str(&format!("<col style=\"width:{:.1}mm\">", f64::from(*width) * 2.6)));
+    page.push_str("</colgroup>\n<tbody>\n");
+    for (row, cells) in form.rows.iter().zip(rows) {
+        page.push_str(&format!("<tr style=\"height:{:.2}mm\">", f64::from(row.lines) * 4.25));
+        for (cell, span) in cells {
+            let class = match cell.kind {
+                CellKind::Name => "name",
+                CellKind::Value => "value",
+                CellKind::Line => "line",
+                CellKind::Gap => "gap",
+            };
+            let down = if cell.rows > 1 { format!(" rowspan=\"{}\"", cell.rows) } else { String::new() };
+            // A date in the narrowest of them.
+            let class = if cell.kind == CellKind::Value && cell.width <= 6 { "value narrow" } else { class };
+            page.push_str(&format!("<td class=\"{class}\" colspan=\"{span}\"{down}>{}</td>", line(&cell.words)));
+        }
+        page.push_str("</tr>\n");
+    }
+    page.push_str("</tbody>\n</table></div>\n");
 }
 
 fn list(page: &mut String, items: &[Item]) {
@@ -95,6 +127,11 @@ fn finding(page: &mut String, finding: &FindingBlock, words: &Words) {
     page.push_str("</li>\n");
 }
 
+/// The name of a frame that scrolls, for those who do not see under which heading it stands.
+fn named(under: &str) -> String {
+    if under.is_empty() { String::new() } else { format!(" role=\"group\" aria-label=\"{}\"", escaped(under)) }
+}
+
 /// A table in a frame that scrolls; the frame can be focused by keyboard.
 fn table(page: &mut String, table: &Table, under: &str) {
     let longest = |column: usize| table.rows().iter().map(|row| row[column].plain().chars().count()).max();
@@ -108,9 +145,7 @@ fn table(page: &mut String, table: &Table, under: &str) {
         Align::Left => "",
     };
     let classes: Vec<&str> = table.columns().iter().enumerate().map(class).collect();
-    let named =
-        if under.is_empty() { String::new() } else { format!(" role=\"group\" aria-label=\"{}\"", escaped(under)) };
-    page.push_str(&format!("<div class=\"scroll\" tabindex=\"0\"{named}><table>\n"));
+    page.push_str(&format!("<div class=\"scroll\" tabindex=\"0\"{}><table>\n", named(under)));
     if table.has_head() {
         let heads = table.columns().iter().zip(&classes);
         let heads = heads.map(|(column, class)| format!("<th scope=\"col\"{class}>{}</th>", head(column)));
@@ -158,7 +193,7 @@ fn line(inlines: &Inlines) -> String {
         let _ = match piece {
             Inline::Text(_) => write!(shown, "{}", unbroken(&plain)),
             Inline::Strong(_) => write!(shown, "<strong>{}</strong>", unbroken(&plain)),
-            Inline::Code(_) => write!(shown, "<code>{}</code>", escaped(&plain)),
+            Inline::Code(_) => write!(shown, "<code>{}</code>", unbroken(&plain)),
             Inline::Quantity { unit, .. } if unit.is_empty() => write!(shown, "{}", escaped(&plain)),
             Inline::Quantity { .. } => write!(shown, "<span>{}</span>", escaped(&plain)),
             Inline::Link { to, .. } => match clean::address(to) {

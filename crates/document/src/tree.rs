@@ -1,6 +1,6 @@
 //! The blocks of a page.
 
-use crate::Inlines;
+use crate::{Form, Inlines};
 
 /// A page.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,6 +62,8 @@ pub enum Block {
     Code(String),
     /// Labels, each with its value.
     Fields(Vec<Field>),
+    /// A sheet of a form, on a page of its own.
+    Form(Form),
 }
 
 /// A line of a list, with lines under it.
@@ -288,4 +290,4 @@ macro_rules! blocks {
     )*};
 }
 
-blocks!(Table(Table), Finding(FindingBlock), Drawing(Drawing));
+blocks!(Form(Form), Table(Table), Finding(FindingBlock), Drawing(Drawing));

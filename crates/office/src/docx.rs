@@ -1,9 +1,11 @@
 //! Word files (ECMA-376, transitional): A4 by DSTU 3008, headings with styles, real tables whose head repeats, drawings as
 //! SVG with a metafile for Words that know no SVG.
 //!
-//! - `parts` the files of the package that every page has; `table` a table and where it fits; `figure` a drawing.
+//! - `parts` the files of the package that every page has; `table` a table and where it fits; `form` a sheet of a form;
+//!   `figure` a drawing.
 
 mod figure;
+mod form;
 mod parts;
 mod table;
 
@@ -17,6 +19,7 @@ use zip::write::SimpleFileOptions;
 use crate::OfficeError;
 use crate::xml::{escaped, escaped_lines};
 use figure::Figure;
+use parts::Paper;
 use table::Fit;
 
 /// The document as a Word file.
@@ -24,22 +27,28 @@ use table::Fit;
 /// # Errors
 /// The package cannot be put together.
 pub fn docx(document: &Document, words: &Words) -> Result<Vec<u8>, OfficeError> {
-    let mut body = Body { xml: String::new(), figures: Vec::new(), words, landscape: false };
-    if !document.title.is_empty() {
+    let mut body = Body { xml: String::new(), figures: Vec::new(), words, paper: Paper::Upright, has_form: false };
+    // A form names itself in its frame.
+    let is_form = matches!(document.blocks.first(), Some(Block::Form(_)));
+    if !document.title.is_empty() && !is_form {
         body.paragraph("Title", "", &line(&document.title));
     }
     for (at, block) in document.blocks.iter().enumerate() {
         // A heading lies as its table does.
         let first = document.blocks[at..].iter().find(|block| !matches!(block, Block::Heading { .. }));
         let fit = first.and_then(|block| if let Block::Table(table) = block { Some(Fit::of(table)) } else { None });
-        body.turn(fit.as_ref().is_some_and(|fit| fit.landscape));
+        body.turn(match (first, &fit) {
+            (Some(Block::Form(_)), _) => Paper::Form,
+            (_, Some(fit)) if fit.landscape => Paper::Across,
+            _ => Paper::Upright,
+        });
         match (block, &fit) {
             (Block::Table(table), Some(fit)) => table::write(&mut body, table, fit),
             _ => body.block(block),
         }
     }
-    let Body { mut xml, figures, landscape, .. } = body;
-    xml.push_str(&parts::section(landscape));
+    let Body { mut xml, figures, paper, .. } = body;
+    xml.push_str(&parts::section(paper));
     let lang = escaped(&document.lang);
     let mut package = Package(ZipWriter::new(Cursor::new(Vec::new())));
     package.add("[Content_Types].xml", parts::CONTENT_TYPES.as_bytes())?;
@@ -73,8 +82,10 @@ struct Body<'d> {
     xml: String,
     figures: Vec<Figure<'d>>,
     words: &'d Words<'d>,
-    /// Whether what is written now stands on pages across.
-    landscape: bool,
+    /// The pages that what is written now stands on.
+    paper: Paper,
+    /// Whether a form was written, after which another begins a page.
+    has_form: bool,
 }
 
 impl<'d> Body<'d> {
@@ -107,17 +118,21 @@ impl<'d> Body<'d> {
                     self.paragraph("Field", "", &line(&label.append(field.value.clone())));
                 }
             }
+            Block::Form(own) => form::write(self, own),
             // Written with its fit.
             Block::Table(_) => {}
         }
     }
 
-    /// Ends the pages before, if the next ones lie the other way.
-    fn turn(&mut self, landscape: bool) {
-        if landscape != self.landscape {
-            let section = parts::section(self.landscape);
-            self.xml.push_str(&format!("<w:p><w:pPr><w:pStyle w:val=\"Break\"/>{section}</w:pPr></w:p>"));
-            self.landscape = landscape;
+    /// Ends the pages before, if the next ones lie another way.
+    fn turn(&mut self, paper: Paper) {
+        if paper != self.paper {
+            // Nothing stands before a form that begins the file.
+            if !self.xml.is_empty() {
+                let section = parts::section(self.paper);
+                self.xml.push_str(&format!("<w:p><w:pPr><w:pStyle w:val=\"Break\"/>{section}</w:pPr></w:p>"));
+            }
+            self.paper = paper;
         }
     }
 

@@ -107,6 +107,11 @@ impl Front<'_> {
             Block::Fields(fields) => fields
                 .iter()
                 .try_for_each(|field| self.line(&format!("{}: {}", field.label.plain(), field.value.plain()), 0, None)),
+            // A sheet of a form is what is filled in, row by row: its frame is for paper.
+            Block::Form(form) => {
+                self.line(&form.mark, 0, None)?;
+                form.lines().iter().try_for_each(|own| self.line(&own.plain(), 0, None))
+            }
             Block::Heading { .. } | Block::Table(_) => Ok(()),
         }
     }

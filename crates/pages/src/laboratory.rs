@@ -1,8 +1,8 @@
 //! The laboratory report: the sixteen parts that the textbook asks for (5.3, l. 4888-4921), from one plan and its
 //! program. What only the author can write has a marked place.
 //!
-//! - `forms` one form of it by itself; `title` the title block, read from a file, `framed` the same around other pages;
-//!   `limits` what the part needs of the machine;
+//! - `forms` one form of it by itself, `cards` route and operation card, `tool_list` the tools; `title` the title block, read
+//!   from a file, `framed` the same around other pages; `limits` what the part needs of the machine;
 //! - `from_above` the drawing of the part; `clamping`, `assemblies` and `zone` those of the set-up.
 
 use crate::document::{Block, Column, Document, Drawing, Field, Inlines, Item, Table};
@@ -25,12 +25,14 @@ use super::words::say;
 use super::{Doubts, Lang, cycles, operation_noun, setting, transitions};
 
 mod assemblies;
+mod cards;
 mod clamping;
 mod forms;
 mod framed;
 mod from_above;
 mod limits;
 mod title;
+mod tool_list;
 mod zone;
 
 pub use forms::Form;
@@ -107,7 +109,7 @@ fn part(page: &mut Document, number: u8, own: &Sources<'_>, title: &TitleBlock, 
         5 => blank(page, plan, own.knowledge, lang),
         6 => steps(page, plan, lang),
         7 => route::work(page, plan, lang),
-        8 => page.push(sheet::tools(plan, lang)),
+        8 => tool_list::section(page, own, lang),
         9 => {
             sheet::conditions(page, plan, lang);
             allowances(page, plan, lang);

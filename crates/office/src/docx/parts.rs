@@ -64,17 +64,29 @@ pub fn document(body: &str) -> String {
     )
 }
 
-/// The paper of the pages up to here: A4 upright or across.
-pub fn section(landscape: bool) -> String {
+/// How pages lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Paper {
+    /// A4 upright.
+    Upright,
+    /// A4 across, for wide tables.
+    Across,
+    /// A4 across with the frame of a form, 286 mm wide,.
+    Form,
+}
+
+/// The paper of the pages up to here.
+pub fn section(paper: Paper) -> String {
     // In twentieths of a point: 210 and 297 mm; the margins keep their sides of the sheet that is bound at the left.
-    let size = match landscape {
-        false => "<w:pgSz w:w=\"11906\" w:h=\"16838\"/>",
-        true => "<w:pgSz w:w=\"16838\" w:h=\"11906\" w:orient=\"landscape\"/>",
+    let size = match paper {
+        Paper::Upright => "<w:pgSz w:w=\"11906\" w:h=\"16838\"/>",
+        Paper::Across | Paper::Form => "<w:pgSz w:w=\"16838\" w:h=\"11906\" w:orient=\"landscape\"/>",
     };
+    let [top, right, bottom, left] = if paper == Paper::Form { [567, 284, 284, 284] } else { [1134, 567, 1134, 1134] };
     format!(
         "<w:sectPr><w:headerReference w:type=\"default\" r:id=\"rHeader\"/>{size}\
-         <w:pgMar w:top=\"1134\" w:right=\"567\" w:bottom=\"1134\" w:left=\"1134\" w:header=\"567\" w:footer=\"567\" \
-         w:gutter=\"0\"/></w:sectPr>"
+         <w:pgMar w:top=\"{top}\" w:right=\"{right}\" w:bottom=\"{bottom}\" w:left=\"{left}\" w:header=\"284\" \
+         w:footer=\"284\" w:gutter=\"0\"/></w:sectPr>"
     )
 }
 
@@ -82,7 +94,7 @@ pub fn section(landscape: bool) -> String {
 type Style = (&'static str, &'static str, &'static str, &'static str, &'static str);
 
 /// 14 points and 1.5 lines for running text (DSTU 3008), one line elsewhere.
-const STYLES: [Style; 12] = [
+const STYLES: [Style; 14] = [
     (
         "BodyText",
         "Body Text",
@@ -118,6 +130,8 @@ const STYLES: [Style; 12] = [
         "<w:rFonts w:ascii=\"Courier New\" w:hAnsi=\"Courier New\" w:cs=\"Courier New\"/><w:sz w:val=\"20\"/>",
     ),
     ("Break", "Break", "Normal", "", "<w:sz w:val=\"12\"/>"),
+    ("FormText", "Form Text", "Normal", "", "<w:sz w:val=\"18\"/>"),
+    ("FormMark", "Form Mark", "Normal", "<w:jc w:val=\"right\"/>", "<w:sz w:val=\"18\"/>"),
     ("Header", "header", "Normal", "<w:jc w:val=\"right\"/>", ""),
 ];
 

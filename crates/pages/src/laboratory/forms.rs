@@ -4,13 +4,16 @@ use crate::document::Document;
 use crate::error::KnowledgeError;
 
 use super::super::setting;
-use super::super::sheet;
 use super::super::words::say;
-use super::{Lang, Sources};
+use super::{Lang, Sources, TitleBlock, cards, tool_list};
 
 /// A form that can be had by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
+    /// The route card, GOST 3.1118-82.
+    RouteCard,
+    /// The operation card, GOST 3.1404-86.
+    OperationCard,
     /// What the operator keys in, and how tools and part stand.
     SettingSheet,
     /// Cutters and holders with their parameters.
@@ -21,8 +24,13 @@ pub enum Form {
 
 impl Form {
     /// All of them, by their names on the command line.
-    pub const NAMES: [(&'static str, Self); 3] =
-        [("setting-sheet", Self::SettingSheet), ("tool-list", Self::ToolList), ("encoding-sheet", Self::EncodingSheet)];
+    pub const NAMES: [(&'static str, Self); 5] = [
+        ("route-card", Self::RouteCard),
+        ("operation-card", Self::OperationCard),
+        ("setting-sheet", Self::SettingSheet),
+        ("tool-list", Self::ToolList),
+        ("encoding-sheet", Self::EncodingSheet),
+    ];
 
     /// The form of that name.
     pub fn named(name: &str) -> Option<Self> {
@@ -33,13 +41,15 @@ impl Form {
     ///
     /// # Errors
     /// The tables lack what it asks.
-    pub fn page(self, own: &Sources<'_>, lang: Lang) -> Result<Document, KnowledgeError> {
+    pub fn page(self, own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Result<Document, KnowledgeError> {
         let mut page = match self {
+            Self::RouteCard => cards::route_card(own, title, lang),
+            Self::OperationCard => cards::operation_card(own, title, lang),
             Self::SettingSheet => setting::page(own.setting, own.plan, own.job, lang),
             Self::ToolList => {
                 let part = own.plan.part.part.as_str();
                 let mut page = Document::new(lang.tag(), say!(lang, "form-tool-list", part = part));
-                page.push(sheet::tools(own.plan, lang));
+                tool_list::section(&mut page, own, lang);
                 page
             }
             Self::EncodingSheet => own.sheet.page(),
