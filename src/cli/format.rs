@@ -27,10 +27,14 @@ pub enum Format {
     Hand,
     /// For continuous integration.
     Junit,
+    /// For Word.
+    Docx,
+    /// For spreadsheets, with typed figures.
+    Xlsx,
 }
 
 impl Format {
-    const ALL: [Self; 10] = [
+    const ALL: [Self; 12] = [
         Self::Text,
         Self::Json,
         Self::Yaml,
@@ -41,6 +45,8 @@ impl Format {
         Self::Pdf,
         Self::Hand,
         Self::Junit,
+        Self::Docx,
+        Self::Xlsx,
     ];
 
     /// The extensions of its files, the usual one first.
@@ -55,6 +61,8 @@ impl Format {
             Self::Html => &[".html", ".htm"],
             Self::Pdf => &[".pdf"],
             Self::Junit => &[".xml"],
+            Self::Docx => &[".docx"],
+            Self::Xlsx => &[".xlsx"],
         }
     }
 
@@ -78,6 +86,8 @@ impl Format {
             Self::Pdf => "pdf",
             Self::Hand => "hand",
             Self::Junit => "junit",
+            Self::Docx => "docx",
+            Self::Xlsx => "xlsx",
         }
     }
 }
@@ -104,10 +114,10 @@ pub fn endings(formats: &[Format]) -> String {
 
 /// Extensions of formats that no command writes: such a file would contain text.
 const OTHERS: &[&str] = &[
-    ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",
-    ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",
-    ".step", ".stp", ".iges", ".igs", ".stl", ".cdw", ".frw", ".spw", ".zip", ".gz", ".7z", ".rar", ".tar", ".toml",
-    ".ini", ".js", ".py", ".sqlite", ".db", ".exe",
+    ".pdf", ".ps", ".eps", ".doc", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsm", ".ods", ".tsv", ".ppt", ".pptx",
+    ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg", ".step", ".stp",
+    ".iges", ".igs", ".stl", ".cdw", ".frw", ".spw", ".zip", ".gz", ".7z", ".rar", ".tar", ".toml", ".ini", ".js",
+    ".py", ".sqlite", ".db", ".exe",
 ];
 
 /// Extensions of programs of controls and of their tool tables.

@@ -187,11 +187,10 @@ impl Context {
         }
     }
 
-    /// Writes a page as text, Markdown or HTML.
+    /// Writes a page in the format of a document.
     ///
     /// # Errors
     /// It cannot be written.
-    #[allow(dead_code, reason = "pages move to documents one by one")]
     pub fn emit_document(&self, document: &Document, format: Format) -> Result<(), CliError> {
         self.emit(&self.written(document, format, self.output.as_deref()))
     }

@@ -1,11 +1,13 @@
 //! What prints a report: one line for each format, chosen by the ending of its file.
 
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 use technolog::document::Document;
 use technolog::knowledge::Diagnostic;
 use technolog::words::say;
 
+use super::output::unprintable;
 use super::{CliError, Context, Format};
 
 /// Prints a page as the bytes of a file. The path tells what else may be asked of it: the width of a screen.
@@ -27,11 +29,13 @@ impl Printer {
 }
 
 /// All printers; the first is that of a report for which none is named.
-pub const PRINTERS: [Printer; 4] = [
+pub const PRINTERS: [Printer; 6] = [
     Printer::here(Format::Html, html),
     PDF,
     Printer::here(Format::Markdown, markdown),
     Printer::here(Format::Text, text),
+    Printer::here(Format::Docx, docx),
+    Printer::here(Format::Xlsx, xlsx),
 ];
 
 /// The formats of all printers.
@@ -46,8 +50,9 @@ pub const FORMATS: [Format; PRINTERS.len()] = {
 };
 
 #[cfg(feature = "pdf")]
-const PDF: Printer = Printer::here(Format::Pdf, |page, _, context| {
-    technolog_pdf::pdf(page, &context.page_words()).map_err(|why| super::output::unprintable(context.lang, why.0))
+const PDF: Printer = Printer::here(Format::Pdf, |page, file, context| {
+    not_for_the_screen(Format::Pdf, file, context)?;
+    technolog_pdf::pdf(page, &context.page_words()).map_err(|why| unprintable(context.lang, why.0))
 });
 
 #[cfg(not(feature = "pdf"))]
@@ -63,6 +68,26 @@ fn markdown(page: &Document, file: Option<&Path>, context: &Context) -> Result<V
 
 fn text(page: &Document, file: Option<&Path>, context: &Context) -> Result<Vec<u8>, CliError> {
     Ok(context.written(page, Format::Text, file).into_bytes())
+}
+
+fn docx(page: &Document, file: Option<&Path>, context: &Context) -> Result<Vec<u8>, CliError> {
+    not_for_the_screen(Format::Docx, file, context)?;
+    technolog::office::docx(page, &context.page_words()).map_err(|error| unprintable(context.lang, error))
+}
+
+fn xlsx(page: &Document, file: Option<&Path>, context: &Context) -> Result<Vec<u8>, CliError> {
+    not_for_the_screen(Format::Xlsx, file, context)?;
+    technolog::office::xlsx(page, &context.page_words()).map_err(|error| unprintable(context.lang, error))
+}
+
+/// A terminal cannot show what is no text.
+fn not_for_the_screen(format: Format, file: Option<&Path>, context: &Context) -> Result<(), CliError> {
+    if file.is_some_and(|file| file != Path::new("-")) || !std::io::stdout().is_terminal() {
+        return Ok(());
+    }
+    let message = say!(context.lang, "cli-not-on-screen", format = format.name());
+    let help = say!(context.lang, "cli-name-a-file", ending = format.endings()[0]);
+    Err(Diagnostic::error("not-on-screen", message, None).help(help).into())
 }
 
 /// The files of an answer, each with its printer.

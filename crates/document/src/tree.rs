@@ -275,7 +275,7 @@ impl Table {
     }
 
     /// Whether any column has a heading.
-    pub(crate) fn has_head(&self) -> bool {
+    pub fn has_head(&self) -> bool {
         self.columns.iter().any(|column| !column.head().is_empty())
     }
 }

@@ -67,7 +67,6 @@ lab-elsewhere = , on another machine
 # Tool change, charts, program, conclusions.
 lab-change-at = Tools are changed at X { $x }, Y { $y }, Z { $z } mm in the frame of the machine.
 lab-change-apart = It has to be no nearer to a clamp than { $distance } mm (textbook, 1.11).
-lab-over-holes = The path of every tool over the holes
 lab-chart = Cycles of tool T{ $tool }. { $does }
 lab-program-form = The sheet follows GOST 3.1404-86, form 5a, as in Appendix Г of the textbook. Appendix В (programs of plants) is lost, so nothing refers to it.
 lab-not-to-run = This program must not be run: { $why }.
@@ -96,6 +95,25 @@ lab-can-be-made-but = On this equipment everything can be made but for:
 lab-left = The program does not do everything: { $what }.
 lab-unconfirmed = Rows of tables that the plan rests on and nothing confirms: { $count }. The plan itself lists them.
 form-tool-list = Tools and holders: { $part }
+lab-path-of = The path of tools over the holes: { $tools }
+lab-clamping-scheme = How the part is clamped: the clamps, the hole that needs the largest force, and its arm d
+lab-clamping-arm = d = { $distance }
+lab-clamping-force = Q = { $force } N on each
+lab-clamping-torque = M = { $torque } N·m
+lab-clamping-side = P = { $side } N
+lab-assemblies = Tool assemblies: length of the holder, overhang, length of the assembly L; mm
+lab-assembly-holder = holder { $length }
+lab-assembly-overhang = overhang { $length }
+lab-assembly-length = L { $length }
+lab-assembly-offset = offset { $offset }
+lab-zone = The working zone: table, supports, part, and the longest tool T{ $tool } over the zero of the part, the quill retracted; mm
+lab-zone-table = table { $length }
+lab-zone-nose = spindle nose to table { $height }
+lab-zone-tool = L { $length }
+lab-zone-part = part { $height }
+lab-zone-supports = supports { $height }
+lab-zone-vice = vice { $height }
+lab-zone-gap = to the part { $height }
 # Route card and operation card: the marks of their columns.
 card-change = Ch.
 card-leaf = Sh.

@@ -67,7 +67,6 @@ lab-elsewhere = , на іншому верстаті
 # Tool change, charts, program, conclusions.
 lab-change-at = Інструмент замінюють у точці X { $x }, Y { $y }, Z { $z } мм у системі верстата.
 lab-change-apart = Вона має бути не ближче ніж { $distance } мм від притискача (посібник, 1.11).
-lab-over-holes = Шлях кожного інструмента над отворами
 lab-chart = Цикли інструмента T{ $tool }. { $does }
 lab-program-form = Карта – за ГОСТ 3.1404-86, форма 5а, як у додатку Г посібника. Додаток В посібника (програми підприємств) утрачено, тому на нього посилання немає.
 lab-not-to-run = Цю програму не можна запускати: { $why }.
@@ -89,13 +88,32 @@ lab-chamfer = фаска { $chamfer }
 lab-centre = допуск центрів { $width }
 lab-centre-of-grade = допуск центрів за IT{ $it }
 lab-allowances = Припуски на діаметр
-lab-before = Ø до
-lab-after = Ø після
+lab-before = Попередній Ø
+lab-after = Отриманий Ø
 lab-allowance = Припуск на діаметр
 lab-can-be-made-but = На цьому обладнанні можна обробити все, крім переліченого:
 lab-left = Програма робить не все: { $what }.
 lab-unconfirmed = Рядків таблиць, на які спирається план і яких ніщо не підтверджує: { $count }. Їх перелічує сам план.
 form-tool-list = Відомість інструментів і оправок: { $part }
+lab-path-of = Шлях інструментів над отворами: { $tools }
+lab-clamping-scheme = Схема закріплення: притискачі, отвір з найбільшою потрібною силою закріплення та плече d
+lab-clamping-arm = d = { $distance }
+lab-clamping-force = Q = { $force } Н на кожному
+lab-clamping-torque = M = { $torque } Н·м
+lab-clamping-side = P = { $side } Н
+lab-assemblies = Інструментальні комплекти: довжина допоміжного інструмента, виліт, довжина комплекту Lк; мм
+lab-assembly-holder = lопр { $length }
+lab-assembly-overhang = виліт { $length }
+lab-assembly-length = Lк { $length }
+lab-assembly-offset = корекція { $offset }
+lab-zone = Робоча зона: стіл, опори, деталь і найдовший інструмент T{ $tool } над нулем деталі, повзун угорі; мм
+lab-zone-table = стіл { $length }
+lab-zone-nose = торець шпинделя – стіл { $height }
+lab-zone-tool = Lк { $length }
+lab-zone-part = деталь { $height }
+lab-zone-supports = опори { $height }
+lab-zone-vice = лещата { $height }
+lab-zone-gap = до деталі { $height }
 # Route card and operation card: the marks of their columns.
 card-change = Зм.
 card-leaf = Арк.
