@@ -9,7 +9,8 @@
 //! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`], [`zone`]);
 //! - [`route`], [`tooling`], [`cutting`], [`setup`] and [`sequence`] each add their part;
 //! - [`planner`] is the only room that tries the next alternative after a refusal;
-//! - [`plan`] is the result, a value; [`report`] prints it; [`document`] is a page as a tree, with its writers;
+//! - [`plan`] is the result, a value; [`report`] prints it; [`document`] is a page as a tree, with its writers,
+//!   [`office`] those for Word and spreadsheets;
 //! - [`proof`] simulates every hole of a plan through its transitions in the worst case;
 //! - [`job`] is the plan as work of a machine, [`program`] the languages of controls, written and read back as
 //!   [`motion`];
@@ -30,6 +31,7 @@ pub use technolog_holes::{planner, route, sequence, setup, tooling};
 pub use technolog_job as job;
 pub use technolog_knowledge::{self as knowledge, units};
 pub use technolog_nc::program;
+pub use technolog_office as office;
 pub use technolog_pages as report;
 pub use technolog_proof as proof;
 pub use technolog_shipped as shipped;

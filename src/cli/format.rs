@@ -21,15 +21,33 @@ pub enum Format {
     Markdown,
     /// For the browser.
     Html,
+    /// For paper.
+    Pdf,
     /// A plan in the form of a hand-written one.
     Hand,
     /// For continuous integration.
     Junit,
+    /// For Word.
+    Docx,
+    /// For spreadsheets, with typed figures.
+    Xlsx,
 }
 
 impl Format {
-    const ALL: [Self; 9] =
-        [Self::Text, Self::Json, Self::Yaml, Self::Csv, Self::Svg, Self::Markdown, Self::Html, Self::Hand, Self::Junit];
+    const ALL: [Self; 12] = [
+        Self::Text,
+        Self::Json,
+        Self::Yaml,
+        Self::Csv,
+        Self::Svg,
+        Self::Markdown,
+        Self::Html,
+        Self::Pdf,
+        Self::Hand,
+        Self::Junit,
+        Self::Docx,
+        Self::Xlsx,
+    ];
 
     /// The extensions of its files, the usual one first.
     pub const fn endings(self) -> &'static [&'static str] {
@@ -41,7 +59,10 @@ impl Format {
             Self::Svg => &[".svg"],
             Self::Markdown => &[".md", ".markdown"],
             Self::Html => &[".html", ".htm"],
+            Self::Pdf => &[".pdf"],
             Self::Junit => &[".xml"],
+            Self::Docx => &[".docx"],
+            Self::Xlsx => &[".xlsx"],
         }
     }
 
@@ -62,8 +83,11 @@ impl Format {
             Self::Svg => "svg",
             Self::Markdown => "markdown",
             Self::Html => "html",
+            Self::Pdf => "pdf",
             Self::Hand => "hand",
             Self::Junit => "junit",
+            Self::Docx => "docx",
+            Self::Xlsx => "xlsx",
         }
     }
 }
@@ -82,12 +106,18 @@ pub fn names(formats: &[Format]) -> String {
     formats.iter().map(|format| format.name()).collect::<Vec<_>>().join(", ")
 }
 
+/// The endings of the files of formats, in the order of these. A hand-written plan has the ending of any YAML.
+pub fn endings(formats: &[Format]) -> String {
+    let known = formats.iter().filter(|format| **format != Format::Hand || !formats.contains(&Format::Yaml));
+    known.flat_map(|format| format.endings()).copied().collect::<Vec<_>>().join(", ")
+}
+
 /// Extensions of formats that no command writes: such a file would contain text.
 const OTHERS: &[&str] = &[
-    ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",
-    ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",
-    ".step", ".stp", ".iges", ".igs", ".stl", ".cdw", ".frw", ".spw", ".zip", ".gz", ".7z", ".rar", ".tar", ".toml",
-    ".ini", ".js", ".py", ".sqlite", ".db", ".exe",
+    ".pdf", ".ps", ".eps", ".doc", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsm", ".ods", ".tsv", ".ppt", ".pptx",
+    ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg", ".step", ".stp",
+    ".iges", ".igs", ".stl", ".cdw", ".frw", ".spw", ".zip", ".gz", ".7z", ".rar", ".tar", ".toml", ".ini", ".js",
+    ".py", ".sqlite", ".db", ".exe",
 ];
 
 /// Extensions of programs of controls and of their tool tables.

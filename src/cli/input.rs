@@ -31,12 +31,12 @@ impl Context {
         self.inputs.0.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
     }
 
-    /// Checks that `-o` overwrites no input of the answer, by whatever path or link it is given.
+    /// Checks that a file of `-o` overwrites no input of the answer, by whatever path or link it is given.
     ///
     /// # Errors
     /// It would overwrite one.
-    pub fn spare_inputs(&self) -> Result<(), CliError> {
-        let Some(output) = self.output.as_deref().filter(|output| output.exists()) else { return Ok(()) };
+    pub fn spare_inputs(&self, file: Option<&Path>) -> Result<(), CliError> {
+        let Some(output) = file.filter(|output| output.exists()) else { return Ok(()) };
         let inputs = self.inputs.0.lock().unwrap_or_else(PoisonError::into_inner);
         let is_input = inputs.iter().any(|input| same_file::is_same_file(input, output).unwrap_or(false));
         let of_knowledge = self.knowledge.as_deref().is_some_and(|folder| is_below(output, folder));

@@ -22,6 +22,7 @@ mod lookup;
 mod order;
 mod output;
 mod plan;
+mod printers;
 mod problems;
 mod program;
 mod progress;
@@ -70,8 +71,9 @@ struct Global {
     knowledge: Option<PathBuf>,
     #[arg(long, global = true, value_enum, hide_possible_values = true)]
     format: Option<Format>,
-    #[arg(short, long, global = true, value_name = "FILE")]
-    output: Option<PathBuf>,
+    // More than one only for a report.
+    #[arg(short, long, global = true, value_name = "FILE", action = ArgAction::Append)]
+    output: Vec<PathBuf>,
     #[arg(long, global = true)]
     all_problems: bool,
     #[arg(short, long, global = true, action = ArgAction::Help)]
@@ -132,6 +134,8 @@ pub struct Context {
     pub format: Option<Format>,
     /// The file for the answer; none for the screen.
     pub output: Option<PathBuf>,
+    /// Further files for the answer, of a command that writes several.
+    pub more_outputs: Vec<PathBuf>,
     /// The input files of the answer.
     pub inputs: input::Inputs,
     /// How many problems are shown.
@@ -145,14 +149,20 @@ impl Context {
     /// # Errors
     /// The command does not have it, or name and extension contradict each other.
     pub fn format(&self, command: &str, known: &[Format]) -> Result<Format, CliError> {
-        let meant = self.output.as_deref().map(Format::of_ending).unwrap_or_default();
+        self.format_of(self.output.as_deref(), command, known)
+    }
+
+    /// The same for one file of several.
+    ///
+    /// # Errors
+    /// As for [`Self::format`].
+    pub fn format_of(&self, file: Option<&Path>, command: &str, known: &[Format]) -> Result<Format, CliError> {
+        let meant = file.map(Format::of_ending).unwrap_or_default();
         let writes_programs = ["program", "turn --show=program", "turn --show=tool-table"].contains(&command);
-        if let Some(ending) = self.output.as_deref().and_then(|file| format::foreign_extension(file, writes_programs)) {
+        let foreign = file.and_then(|file| format::foreign_extension(file, writes_programs));
+        if let Some(ending) = foreign.filter(|_| !meant.iter().any(|format| known.contains(format))) {
             let message = say!(self.lang, "cli-alien-ending", command = command, ending = ending.as_str());
-            // A hand-written plan has the extension of any YAML.
-            let known = known.iter().filter(|format| **format != Format::Hand || !known.contains(&Format::Yaml));
-            let endings: Vec<&str> = known.flat_map(|format| format.endings()).copied().collect();
-            let help = say!(self.lang, "cli-known-endings", known = endings.join(", "));
+            let help = say!(self.lang, "cli-known-endings", known = format::endings(known));
             return Err(Diagnostic::error("alien-ending", message, None).help(help).into());
         }
         let lacks = |format: Format| {
@@ -168,7 +178,7 @@ impl Context {
             }
             (Some(requested), _) if !known.contains(&requested) => lacks(requested),
             (Some(requested), [usual, ..]) if !meant.contains(&requested) => {
-                let file = self.output.as_deref().unwrap_or(Path::new("-")).display();
+                let file = file.unwrap_or(Path::new("-")).display();
                 let message = words::format_contradiction(self.lang, file, usual.name(), requested.name());
                 let help = words::format_contradiction_help(self.lang);
                 Err(Diagnostic::error("format-contradiction", message, None).help(help).into())
@@ -177,31 +187,34 @@ impl Context {
         }
     }
 
-    /// Writes a page as text, Markdown or HTML.
+    /// Writes a page in the format of a document.
     ///
     /// # Errors
     /// It cannot be written.
-    #[allow(dead_code, reason = "pages move to documents one by one")]
     pub fn emit_document(&self, document: &Document, format: Format) -> Result<(), CliError> {
-        self.emit(&self.written(document, format))
+        self.emit(&self.written(document, format, self.output.as_deref()))
     }
 
-    /// A page as text, Markdown or HTML.
+    /// A page as text, Markdown or HTML for a file, or for the screen.
     #[allow(dead_code, reason = "pages move to documents one by one")]
-    pub fn written(&self, document: &Document, format: Format) -> String {
+    pub fn written(&self, document: &Document, format: Format, file: Option<&Path>) -> String {
         let format = match format {
             Format::Markdown => document::Format::Markdown,
             Format::Html => document::Format::Html,
             _ => document::Format::Text,
         };
-        let words = document::Words {
+        let screen = output::Screen::of(file);
+        document::write(document, format, screen.width, screen.colour, &self.page_words())
+    }
+
+    /// The words that the writers of pages need themselves.
+    fn page_words(&self) -> document::Words<'_> {
+        document::Words {
             left_out: self.word("document-left-out"),
             see_all: self.word("document-see-all"),
             help: self.word("cli-help"),
             figure: self.word("document-figure"),
-        };
-        let screen = output::Screen::of(self.output.as_deref());
-        document::write(document, format, screen.width, screen.colour, &words)
+        }
     }
 
     /// The width of a page in terminal columns; none for formats that have all the width they need.
@@ -214,8 +227,16 @@ impl Context {
     /// # Errors
     /// It cannot be written.
     pub fn emit(&self, answer: &str) -> Result<(), CliError> {
-        self.spare_inputs()?;
-        output::write(answer.as_bytes(), self.output.as_deref(), self.lang)
+        self.emit_files(&[(self.output.as_deref(), answer)])
+    }
+
+    /// Writes several files, or none of them; without a path to the screen.
+    ///
+    /// # Errors
+    /// One of them cannot be written.
+    pub fn emit_files(&self, files: &[(Option<&Path>, impl AsRef<[u8]>)]) -> Result<(), CliError> {
+        files.iter().try_for_each(|(file, _)| self.spare_inputs(*file))?;
+        output::write_all(files, self.lang)
     }
 
     /// Writes an answer that no page writer made, without invisible characters.
@@ -313,15 +334,23 @@ pub fn main() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return refused(&error, lang),
     };
+    let mut outputs = cli.global.output.into_iter();
     let context = Context {
         lang: cli.global.lang.unwrap_or(default),
         knowledge: cli.global.knowledge,
         format: cli.global.format,
-        output: cli.global.output,
+        output: outputs.next(),
+        more_outputs: outputs.collect(),
         inputs: input::Inputs::default(),
         amount: if cli.global.all_problems { Amount::All } else { Amount::Some },
     };
-    match cli.command.run(&context) {
+    let asked = if context.more_outputs.is_empty() || matches!(cli.command, Command::Report(_)) {
+        cli.command.run(&context)
+    } else {
+        let message = say!(context.lang, "usage-twice", argument = "--output <FILE>", value = "");
+        Err(Diagnostic::error("several-files", message, None).help(context.word("cli-one-file")).into())
+    };
+    match asked {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Findings) => ExitCode::from(1),
         Err(CliError::Shown) => ExitCode::from(2),

@@ -20,24 +20,45 @@ use super::words::{self, Lang};
 /// # Errors
 /// It cannot be written. A closed pipe (`| head`) is no error.
 pub fn write(answer: &[u8], file: Option<&Path>, lang: Lang) -> Result<(), CliError> {
-    match file {
-        Some(path) if path != Path::new("-") && is_dangling(path) => {
-            let message = words::cannot_write(lang, path.display(), lang.word("file-dangling-link"));
-            Err(Diagnostic::error("unwritable", message, None).help(lang.word("cli-replace-link")).into())
+    write_all(&[(file, answer)], lang)
+}
+
+/// Writes several answers, or none: no file is replaced before all of them are on the disk.
+///
+/// # Errors
+/// One of them cannot be written.
+pub fn write_all(answers: &[(Option<&Path>, impl AsRef<[u8]>)], lang: Lang) -> Result<(), CliError> {
+    let stage = |(file, answer): &(Option<&Path>, _)| match file.filter(|path| *path != Path::new("-")) {
+        Some(path) => staged(AsRef::as_ref(answer), path, lang).map(Some),
+        None => Ok(None),
+    };
+    let staged: Vec<Option<Staged>> = answers.iter().map(stage).collect::<Result<_, _>>()?;
+    for (staged, (file, answer)) in staged.into_iter().zip(answers) {
+        match (staged, file) {
+            (Some(staged), Some(path)) => {
+                staged.finish(answer.as_ref()).map_err(|error| unwritable(&error, path, lang))?;
+            }
+            _ => to_screen(answer.as_ref(), lang)?,
         }
-        Some(path) if path != Path::new("-") => to_file(answer, path).map_err(|error| {
-            let message = match error.kind() {
-                ErrorKind::PermissionDenied => say!(lang, "cli-write-not-permitted", path = path.display()),
-                ErrorKind::NotFound => words::cannot_write(lang, path.display(), lang.word("file-no-such-folder")),
-                _ => words::cannot_write(lang, path.display(), of_system(&error, lang)),
-            };
-            Diagnostic::error("unwritable", message, None).help(words::check_folder(lang)).into()
-        }),
-        _ => match to_screen(answer) {
-            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(unprintable(lang, of_system(&error, lang))),
-            _ => Ok(()),
-        },
     }
+    Ok(())
+}
+
+fn staged(answer: &[u8], path: &Path, lang: Lang) -> Result<Staged, CliError> {
+    if is_dangling(path) {
+        let message = words::cannot_write(lang, path.display(), lang.word("file-dangling-link"));
+        return Err(Diagnostic::error("unwritable", message, None).help(lang.word("cli-replace-link")).into());
+    }
+    Staged::of(answer, path).map_err(|error| unwritable(&error, path, lang))
+}
+
+fn unwritable(error: &io::Error, path: &Path, lang: Lang) -> CliError {
+    let message = match error.kind() {
+        ErrorKind::PermissionDenied => say!(lang, "cli-write-not-permitted", path = path.display()),
+        ErrorKind::NotFound => words::cannot_write(lang, path.display(), lang.word("file-no-such-folder")),
+        _ => words::cannot_write(lang, path.display(), of_system(error, lang)),
+    };
+    Diagnostic::error("unwritable", message, None).help(words::check_folder(lang)).into()
 }
 
 /// An answer as JSON. Invisible characters are written as escapes: programs get them, a terminal does not.
@@ -116,41 +137,66 @@ pub fn relative(file: &Path, folder: &Path) -> PathBuf {
     up.chain(file.components().skip(shared)).collect()
 }
 
-fn to_screen(answer: &[u8]) -> io::Result<()> {
+fn to_screen(answer: &[u8], lang: Lang) -> Result<(), CliError> {
     let mut screen = io::stdout().lock();
-    screen.write_all(answer)?;
-    screen.flush()
+    match screen.write_all(answer).and_then(|()| screen.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(unprintable(lang, of_system(&error, lang))),
+        _ => Ok(()),
+    }
 }
 
-/// Writes a temporary file beside the file and renames it, so that the file is completely old or completely new, even
-/// after a power cut.
-fn to_file(answer: &[u8], path: &Path) -> io::Result<()> {
-    // A link is followed to its file, because a rename would replace the link.
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let old = fs::metadata(&path).ok();
-    if old.as_ref().is_some_and(|old| !old.is_file()) {
-        // A device or a pipe cannot be replaced; opening a folder fails here.
-        return OpenOptions::new().write(true).open(&path)?.write_all(answer);
-    }
-    if let Some(old) = &old {
-        // The folder may permit what the file does not.
-        if old.permissions().readonly() {
-            return Err(ErrorKind::PermissionDenied.into());
+/// A file that is ready to be replaced. It is completely old or completely new, even after a power cut: the new one is
+/// a temporary file beside it, which is renamed.
+#[derive(Debug)]
+enum Staged {
+    /// The temporary file with the answer, and the file it replaces.
+    Beside { temporary: PathBuf, path: PathBuf },
+    /// A device or a pipe, which cannot be replaced.
+    Device(File),
+}
+
+impl Staged {
+    fn of(answer: &[u8], path: &Path) -> io::Result<Self> {
+        // A link is followed to its file, because a rename would replace the link.
+        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let old = fs::metadata(&path).ok();
+        if old.as_ref().is_some_and(|old| !old.is_file()) {
+            // Opening a folder fails here.
+            return OpenOptions::new().write(true).open(&path).map(Self::Device);
         }
-        OpenOptions::new().write(true).open(&path)?;
+        if let Some(old) = &old {
+            // The folder may permit what the file does not.
+            if old.permissions().readonly() {
+                return Err(ErrorKind::PermissionDenied.into());
+            }
+            OpenOptions::new().write(true).open(&path)?;
+        }
+        remove_stale(&path);
+        let (mut file, temporary) = temporary_file(&path)?;
+        let staged = Self::Beside { temporary, path };
+        file.write_all(answer)?;
+        if let Some(old) = old {
+            file.set_permissions(kept(old.permissions()))?;
+        }
+        file.sync_all()?;
+        Ok(staged)
     }
-    remove_stale(&path);
-    let (mut file, temporary) = temporary_file(&path)?;
-    let written = file.write_all(answer).and_then(|()| match &old {
-        Some(old) => file.set_permissions(kept(old.permissions())),
-        None => Ok(()),
-    });
-    let renamed = written.and_then(|()| file.sync_all()).and_then(|()| fs::rename(&temporary, &path));
-    if renamed.is_err() {
-        // The first error is the one to report.
-        let _ = fs::remove_file(&temporary);
+
+    fn finish(mut self, answer: &[u8]) -> io::Result<()> {
+        match &mut self {
+            Self::Beside { temporary, path } => fs::rename(temporary, path),
+            Self::Device(file) => file.write_all(answer),
+        }
     }
-    renamed
+}
+
+impl Drop for Staged {
+    fn drop(&mut self) {
+        if let Self::Beside { temporary, .. } = self {
+            // After the rename it is not there; otherwise the first error is the one to report.
+            let _ = fs::remove_file(temporary);
+        }
+    }
 }
 
 /// The permissions of the old file, without set-user-id and the like: they were given to another program.

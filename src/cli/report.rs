@@ -1,41 +1,121 @@
-//! `technolog report`: the laboratory report of a part, in sixteen parts, out of its plan and its program.
+//! `technolog report`: the laboratory report of a part, in sixteen parts, out of its plan and its program; of a turned part,
+//! out of its operation; of an audit.
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
+use clap::builder::PossibleValuesParser;
+use technolog::audit::Auditor;
+use technolog::cases::{FileKind, other_kind};
+use technolog::document::Document;
 use technolog::error::KnowledgeError;
+use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Finding;
 use technolog::plan::CuttingMethod;
+use technolog::report;
 use technolog::report::encoding::encoding_sheet;
-use technolog::report::laboratory::{self, Sources, TitleBlock, read_title};
+use technolog::report::laboratory::{self, Form, Sources, TitleBlock, framed, read_title};
+use technolog::words::say;
 
 use super::diagnostics::Texts;
+use super::input::FileRoots;
+use super::printers::{self, Targets};
 use super::program::Made;
-use super::{CliError, Context, Format, Outcome, control, knowledge, plan};
+use super::{CliError, Context, Format, Outcome, audit, control, knowledge, plan, turn, turn_operation};
 
-// The report of a laboratory work in sixteen parts: plan, drawings, settings and program in one file
+// The report of a laboratory work: plan, drawings, settings and program in one file
 #[derive(Debug, clap::Args)]
 pub struct Args {
     #[arg(value_name = "PART.yaml")]
     part: PathBuf,
     #[arg(long, value_name = "FILE")]
     title: Option<PathBuf>,
-    #[arg(long, value_parser = control::Names { lathes: false })]
+    #[arg(long, value_name = "FORM", value_parser = PossibleValuesParser::new(Form::NAMES.map(|(name, _)| name)))]
+    only: Option<String>,
+    #[arg(long, value_parser = control::Names { lathes: true })]
     control: Option<String>,
 }
 
 /// The formats of a report.
-pub const FORMATS: &[Format] = &[Format::Html, Format::Markdown, Format::Text];
+pub const FORMATS: &[Format] = &printers::FORMATS;
 
-/// Writes the report of a part.
+/// Writes the report of a part with holes, of a turned part, or of the audit of a plan, whichever the file is.
 ///
 /// # Errors
-/// The part or the title block cannot be used; all their mistakes are reported at once.
+/// The file or the title block cannot be used; all their mistakes are reported at once.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("report", FORMATS)?;
+    let targets = Targets::of("report", context)?;
     let knowledge = knowledge::load(context)?;
-    let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let title = args.title.as_deref().map(|path| title_block(path, context)).transpose()?.unwrap_or_default();
+    let kind = other_kind(&args.part.display().to_string(), &context.text(&args.part)?, FileKind::Part);
+    let (page, outcome) = match kind {
+        Some((FileKind::Turned, _)) => turned(args, &title, knowledge, context)?,
+        Some((FileKind::Plan, _)) => of_plan(args, &title, knowledge, context)?,
+        _ => of_part(args, &title, knowledge, context)?,
+    };
+    targets.print(&page, context)?;
+    Ok(outcome)
+}
+
+/// The report of a turned part.
+fn turned(
+    args: &Args,
+    title: &TitleBlock,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<(Document, Outcome), CliError> {
+    is_whole(args, title, context)?;
+    let control = match args.control.as_deref() {
+        None => turn_operation::Control::Linuxcnc,
+        Some(name) => turn_operation::Control::named(name).ok_or_else(|| {
+            let known = turn_operation::Control::names().join(", ");
+            let message = say!(context.lang, "cli-report-lathe-control", control = name);
+            let help = say!(context.lang, "cli-report-lathe-controls", known = known);
+            Diagnostic::error("unknown-control", message, None).help(help)
+        })?,
+    };
+    let read = turn::read(&args.part, knowledge, context)?;
+    let (page, outcome) = turn_operation::report(&read, control, knowledge, context)?;
+    Ok((framed(page, title, true, context.lang), outcome))
+}
+
+/// The report of an audit: what is wrong with somebody's plan.
+fn of_plan(
+    args: &Args,
+    title: &TitleBlock,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<(Document, Outcome), CliError> {
+    is_whole(args, title, context)?;
+    if args.control.is_some() {
+        let message = context.word("cli-report-audit-control");
+        return Err(Diagnostic::error("no-control", message, None).into());
+    }
+    let auditor = Auditor::new(knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let places = FileRoots { folder: None, anywhere: false };
+    let found = audit::of_file(&args.part, &auditor, places, context)?;
+    let outcome = if found.has_errors() { Outcome::Findings } else { Outcome::Done };
+    Ok((framed(report::audit::page(&found, context.lang), title, false, context.lang), outcome))
+}
+
+/// Only the report of a part with holes has numbered parts and forms that stand by themselves.
+fn is_whole(args: &Args, title: &TitleBlock, context: &Context) -> Result<(), CliError> {
+    let (message, help) = match (&args.only, &title.parts) {
+        (Some(_), _) => ("cli-report-no-forms", "cli-report-leave-only"),
+        (None, Some(_)) => ("cli-report-no-parts", "cli-report-leave-parts"),
+        (None, None) => return Ok(()),
+    };
+    Err(Diagnostic::error("no-parts", context.word(message), None).help(context.word(help)).into())
+}
+
+/// The report of a part with holes, in sixteen parts.
+fn of_part(
+    args: &Args,
+    title: &TitleBlock,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<(Document, Outcome), CliError> {
+    let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let plan = plan::make(&args.part, CuttingMethod::default(), knowledge, context)?;
     let machine = control::machine(&plan.part.machine, knowledge, context)?;
     let control = control::chosen(args.control.as_deref(), &machine, knowledge, context)?;
@@ -59,9 +139,13 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         left: &left,
         knowledge,
     };
-    let page = laboratory::page(&sources, &title, context.lang).map_err(at_fault)?;
-    context.emit_document(&page, format)?;
-    Ok(if plan.has_errors() || warning.is_some() || !left.is_empty() { Outcome::Findings } else { Outcome::Done })
+    let form = args.only.as_deref().and_then(Form::named);
+    let page = match form {
+        Some(form) => form.page(&sources, title, context.lang),
+        None => laboratory::page(&sources, title, context.lang),
+    };
+    let wrong = plan.has_errors() || warning.is_some() || !left.is_empty();
+    Ok((page.map_err(at_fault)?, if wrong { Outcome::Findings } else { Outcome::Done }))
 }
 
 fn title_block(path: &Path, context: &Context) -> Result<TitleBlock, CliError> {

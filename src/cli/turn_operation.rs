@@ -3,6 +3,7 @@
 use clap::ValueEnum;
 use serde::Serialize;
 use technolog::audit::turned;
+use technolog::document::Document;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::{Finding, Note, Severity};
@@ -15,7 +16,7 @@ use technolog::turning::operation::tool_table;
 use technolog::turning::operation::turret::Put;
 use technolog::turning::operation::{self, Operation};
 use technolog::turning::program::{Control as LatheControl, NotCycled, NotWritten, ProgramFile};
-use technolog::turning::workpiece::Workpiece;
+use technolog::turning::workpiece::{Turned, Workpiece};
 use technolog::units::RevsPerMinute;
 use technolog::words::{Lang, say};
 
@@ -34,6 +35,18 @@ pub enum Control {
 }
 
 impl Control {
+    const ALL: [Self; 4] = [Self::Linuxcnc, Self::Sinumerik, Self::Fanuc, Self::Nc201];
+
+    /// The control of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|control| control.name() == name)
+    }
+
+    /// The names of all.
+    pub fn names() -> [&'static str; 4] {
+        Self::ALL.map(Self::name)
+    }
+
     const fn name(self) -> &'static str {
         match self {
             Self::Linuxcnc => "linuxcnc",
@@ -192,6 +205,55 @@ pub fn setting(
         _ => context.emit_document(&report::turning::setting_page(&setting, context.lang), format)?,
     }
     Ok(leave(operation, context))
+}
+
+/// The report of a turned part: a page with everything, and whether something is wrong.
+///
+/// # Errors
+/// The knowledge base lacks something.
+pub fn report(
+    read: &Turned,
+    control: Control,
+    knowledge: &Knowledge,
+    context: &Context,
+) -> Result<(Document, Outcome), CliError> {
+    let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
+    let operation = match read {
+        Turned::Stepped(shaft) => plan(&Workpiece::from(shaft), knowledge, context)?,
+        Turned::Contoured(workpiece) => plan(workpiece, knowledge, context)?,
+    };
+    let times = times(&operation, knowledge).map_err(lacking)?;
+    let setting = set(&operation, control, knowledge, context)?;
+    let named = |work: Work| context.lang.term("turn-does", work.name()).to_owned();
+    let put = |put: &Put<'_>, offset: u32| context.lang.say(&put.note(offset));
+    let single = |why: NotCycled| context.lang.say(&why.note());
+    let remarks = Remarks { work: &named, put: &put, single: &single };
+    let all = programs_named(&operation, control.name(), Form::Motions, None, remarks, knowledge).map_err(lacking)?;
+    let list = report::turning::programs_list(&all, context.lang);
+    let is_read = turned::reader(control.name(), knowledge).map_err(lacking)?.is_some();
+    let mut printed = Vec::new();
+    for (program, makes) in all.iter().zip(list.lines()) {
+        let mut remarks =
+            program.remarks.iter().map(|why| say!(context.lang, "turn-single-passes", why = why)).collect::<Vec<_>>();
+        if !is_read {
+            remarks.push(say!(context.lang, "turn-not-read-back", control = control.name()));
+        }
+        let text = match &program.files {
+            Err(error) => Err(context.lang.say(&error.note())),
+            // As for the program alone: what does not make the whole part is not given out.
+            Ok(_) if operation.has_errors() => Err(context.lang.say(&Note::new("program-not-written"))),
+            Ok(files) => match turned::read_back(&operation, program.set_up, control.name(), files, knowledge)
+                .map_err(lacking)?
+            {
+                Some(why) => Err(context.lang.say(&NotWritten::Unsafe { why }.note())),
+                None => Ok(files.iter().map(|file| file.text.as_str()).collect::<Vec<_>>().join("\n")),
+            },
+        };
+        printed.push(report::turning::Printed { makes: makes.to_owned(), text, remarks });
+    }
+    let unsafe_ = operation.has_errors() || printed.iter().any(|program| program.text.is_err());
+    let page = report::turning::report_page(&operation, &times, &setting, &printed, knowledge, context.lang);
+    Ok((page, if unsafe_ { Outcome::Findings } else { Outcome::Done }))
 }
 
 /// Writes the tool table of LinuxCNC.

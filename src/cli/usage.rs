@@ -142,8 +142,8 @@ mod tests {
                 "помилка: значення `-` не годиться для `--per-pass <MM>`: потрібна довжина від 0 до 100000 мм",
             ),
             (
-                &["technolog", "plan", "x", "--format", "pdf"],
-                "помилка: значення `pdf` не годиться для `--format <FORMAT>`\n  Формат відповіді: text, markdown, html, json, yaml, hand",
+                &["technolog", "plan", "x", "--format", "odt"],
+                "помилка: значення `odt` не годиться для `--format <FORMAT>`\n  Формат відповіді: text, markdown, html, json, yaml, hand",
             ),
             (&["technolog", "turn", "a", "b"], "помилка: невідомий параметр чи зайве слово `b`"),
             (

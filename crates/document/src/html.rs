@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
-use crate::{Align, Block, Column, Document, Drawing, FindingBlock, Inline, Inlines, Item, Table, Words, clean};
+use crate::{
+    Align, Block, CellKind, Column, Document, Drawing, FindingBlock, Form, Inline, Inlines, Item, Table, Words, clean,
+};
 
 /// Colours for light and dark mode and for paper; on narrow screens each table scrolls by itself.
 const STYLE: &str = include_str!("html/style.css");
@@ -29,17 +31,24 @@ pub fn html(document: &Document, words: &Words) -> String {
         page.push_str(&format!("<h1>{}</h1>\n", line(&document.title)));
     }
     let finding = |block: &Block| matches!(block, Block::Finding(_));
+    let mut under = document.title.plain();
     for blocks in document.blocks.chunk_by(|one, next| finding(one) && finding(next)) {
         let list = blocks.first().is_some_and(finding);
         page.push_str(if list { "<ul class=\"findings\">\n" } else { "" });
-        blocks.iter().for_each(|own| block(&mut page, own, words));
+        for own in blocks {
+            if let Block::Heading { words, .. } = own {
+                under = words.plain();
+            }
+            block(&mut page, own, &under, words);
+        }
         page.push_str(if list { "</ul>\n" } else { "" });
     }
     page.push_str("</main>\n</body>\n</html>\n");
     page
 }
 
-fn block(page: &mut String, block: &Block, words: &Words) {
+/// A block under a heading, which names the frame of a table for those who do not see it.
+fn block(page: &mut String, block: &Block, under: &str, words: &Words) {
     match block {
         Block::Heading { level, words } => {
             let level = (*level).clamp(1, 6);
@@ -47,7 +56,7 @@ fn block(page: &mut String, block: &Block, words: &Words) {
         }
         Block::Paragraph(words) => page.push_str(&format!("<p>{}</p>\n", line(words))),
         Block::List(items) => list(page, items),
-        Block::Table(content) => table(page, content),
+        Block::Table(content) => table(page, content, under),
         Block::Finding(own) => finding(page, own, words),
         Block::Drawing(drawing) => figure(page, drawing),
         Block::Code(code) => page.push_str(&format!("<pre><code>{}</code></pre>\n", escaped_lines(code))),
@@ -58,7 +67,37 @@ fn block(page: &mut String, block: &Block, words: &Words) {
             }
             page.push_str("</dl>\n");
         }
+        Block::Form(own) => form(page, own, under),
     }
+}
+
+/// A sheet of a form: a table whose columns are the edges of all its cells; on paper a page across.
+fn form(page: &mut String, form: &Form, under: &str) {
+    let (widths, rows) = form.columns();
+    page.push_str(&format!(
+        "<div class=\"form scroll\" tabindex=\"0\"{}><p>{}</p>\n<table>\n<colgroup>",
+        named(under),
+        escaped(&form.mark)
+    ));
+    widths.iter().for_each(|width| page.push_str(&format!("<col style=\"width:{:.1}mm\">", f64::from(*width) * 2.6)));
+    page.push_str("</colgroup>\n<tbody>\n");
+    for (row, cells) in form.rows.iter().zip(rows) {
+        page.push_str(&format!("<tr style=\"height:{:.2}mm\">", f64::from(row.lines) * 4.25));
+        for (cell, span) in cells {
+            let class = match cell.kind {
+                CellKind::Name => "name",
+                CellKind::Value => "value",
+                CellKind::Line => "line",
+                CellKind::Gap => "gap",
+            };
+            let down = if cell.rows > 1 { format!(" rowspan=\"{}\"", cell.rows) } else { String::new() };
+            // A date in the narrowest of them.
+            let class = if cell.kind == CellKind::Value && cell.width <= 6 { "value narrow" } else { class };
+            page.push_str(&format!("<td class=\"{class}\" colspan=\"{span}\"{down}>{}</td>", line(&cell.words)));
+        }
+        page.push_str("</tr>\n");
+    }
+    page.push_str("</tbody>\n</table></div>\n");
 }
 
 fn list(page: &mut String, items: &[Item]) {
@@ -88,8 +127,13 @@ fn finding(page: &mut String, finding: &FindingBlock, words: &Words) {
     page.push_str("</li>\n");
 }
 
+/// The name of a frame that scrolls, for those who do not see under which heading it stands.
+fn named(under: &str) -> String {
+    if under.is_empty() { String::new() } else { format!(" role=\"group\" aria-label=\"{}\"", escaped(under)) }
+}
+
 /// A table in a frame that scrolls; the frame can be focused by keyboard.
-fn table(page: &mut String, table: &Table) {
+fn table(page: &mut String, table: &Table, under: &str) {
     let longest = |column: usize| table.rows().iter().map(|row| row[column].plain().chars().count()).max();
     // The last column may be off a narrow screen, where nobody sees why its rows are tall.
     let last = table.columns().len().saturating_sub(1);
@@ -101,7 +145,7 @@ fn table(page: &mut String, table: &Table) {
         Align::Left => "",
     };
     let classes: Vec<&str> = table.columns().iter().enumerate().map(class).collect();
-    page.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n");
+    page.push_str(&format!("<div class=\"scroll\" tabindex=\"0\"{}><table>\n", named(under)));
     if table.has_head() {
         let heads = table.columns().iter().zip(&classes);
         let heads = heads.map(|(column, class)| format!("<th scope=\"col\"{class}>{}</th>", head(column)));
@@ -149,7 +193,7 @@ fn line(inlines: &Inlines) -> String {
         let _ = match piece {
             Inline::Text(_) => write!(shown, "{}", unbroken(&plain)),
             Inline::Strong(_) => write!(shown, "<strong>{}</strong>", unbroken(&plain)),
-            Inline::Code(_) => write!(shown, "<code>{}</code>", escaped(&plain)),
+            Inline::Code(_) => write!(shown, "<code>{}</code>", unbroken(&plain)),
             Inline::Quantity { unit, .. } if unit.is_empty() => write!(shown, "{}", escaped(&plain)),
             Inline::Quantity { .. } => write!(shown, "<span>{}</span>", escaped(&plain)),
             Inline::Link { to, .. } => match clean::address(to) {

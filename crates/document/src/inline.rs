@@ -1,5 +1,7 @@
 //! The contents of a line.
 
+use crate::Decimal;
+
 /// A piece of a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Inline {
@@ -15,6 +17,8 @@ pub enum Inline {
         number: String,
         /// Its unit; empty where a column has it, or where there is none.
         unit: String,
+        /// The same figure, typed; none where it is several, such as `3/5`.
+        value: Option<Decimal>,
     },
     /// A link to another page.
     Link {
@@ -30,8 +34,8 @@ impl Inline {
     pub fn plain(&self) -> String {
         match self {
             Self::Text(text) | Self::Strong(text) | Self::Code(text) | Self::Link { text, .. } => text.clone(),
-            Self::Quantity { number, unit } if unit.is_empty() => number.clone(),
-            Self::Quantity { number, unit } => format!("{number} {unit}"),
+            Self::Quantity { number, unit, .. } if unit.is_empty() => number.clone(),
+            Self::Quantity { number, unit, .. } => format!("{number} {unit}"),
         }
     }
 }
@@ -62,6 +66,14 @@ impl Inlines {
         Self::default().quantity(number, "")
     }
 
+    /// The figure that is all of the line, typed; none for words, and where more stands beside it.
+    pub fn figure(&self) -> Option<(Decimal, &str)> {
+        match self.0.as_slice() {
+            [Inline::Quantity { value: Some(value), unit, .. }] => Some((*value, unit)),
+            _ => None,
+        }
+    }
+
     /// Adds words.
     #[must_use]
     pub fn text(self, text: impl Into<String>) -> Self {
@@ -83,7 +95,10 @@ impl Inlines {
     /// Adds a figure with its unit.
     #[must_use]
     pub fn quantity(self, number: impl Into<String>, unit: impl Into<String>) -> Self {
-        self.with(Inline::Quantity { number: number.into(), unit: unit.into() })
+        let number = number.into();
+        // Typed by what is printed, so that no other figure can stand in a spreadsheet than on paper.
+        let value = number.parse().ok();
+        self.with(Inline::Quantity { number, unit: unit.into(), value })
     }
 
     /// Adds a link.

@@ -3,11 +3,14 @@
 //! A page gives its contents (a heading, a table of typed cells, a finding); only the writers decide how they look.
 //! They write the same bytes on every run. A writer adds no words of its own: the few it needs are [`Words`].
 //!
-//! - `tree` the blocks of a page, `inline` the contents of a line;
+//! - `tree` the blocks of a page, `form` one that is a sheet of a form, `inline` the contents of a line, `decimal` its typed
+//!   figures;
 //! - `text`, `markdown`, `html` one writer each, with one escaping function each;
 //! - `format` the choice of a writer by a file extension.
 
 mod clean;
+mod decimal;
+mod form;
 mod format;
 mod html;
 mod inline;
@@ -17,6 +20,8 @@ mod tree;
 mod words;
 
 pub use clean::{line as cleaned, lines as cleaned_lines};
+pub use decimal::{Decimal, NotDecimal};
+pub use form::{CellKind, FORM_WIDTH, Form, FormCell, FormRow};
 pub use format::{Contradiction, Format, agreed};
 pub use html::html;
 pub use inline::{Inline, Inlines};

@@ -49,6 +49,12 @@ impl Page<'_> {
             Block::Table(table) => self.table(table),
             Block::Drawing(figure) => self.figure(figure),
             Block::Code(code) => self.code(code),
+            Block::Form(form) => {
+                self.paragraph(&Inlines::default().strong(&form.mark));
+                let mark = self.list(ListKind::Items);
+                let items: Vec<Item> = form.lines().into_iter().map(Item::from).collect();
+                self.items(&items, mark, 0);
+            }
         }
     }
 

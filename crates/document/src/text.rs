@@ -69,6 +69,10 @@ impl Page<'_> {
                 self.paragraph(&line, self.indent);
                 self.paragraph(&wrap::words(&figure.alternative.as_str().into()), self.indent + STEP);
             }
+            Block::Form(form) => {
+                self.paragraph(&wrap::styled(&form.mark.as_str().into(), Style::Strong), self.indent);
+                form.lines().iter().for_each(|line| self.paragraph(&wrap::words(line), self.indent + STEP));
+            }
             Block::Heading { .. } | Block::Table(_) | Block::Code(_) => {}
         }
     }

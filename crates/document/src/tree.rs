@@ -1,6 +1,6 @@
 //! The blocks of a page.
 
-use crate::Inlines;
+use crate::{Form, Inlines};
 
 /// A page.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,6 +62,8 @@ pub enum Block {
     Code(String),
     /// Labels, each with its value.
     Fields(Vec<Field>),
+    /// A sheet of a form, on a page of its own.
+    Form(Form),
 }
 
 /// A line of a list, with lines under it.
@@ -139,7 +141,7 @@ pub struct FindingBlock {
 
 impl FindingBlock {
     /// The prefix on every page: a word with a colon, or the mark alone.
-    pub(crate) fn label(&self) -> String {
+    pub fn label(&self) -> String {
         let colon = if self.word.ends_with(char::is_alphanumeric) { ":" } else { "" };
         format!("{}{colon}", self.word)
     }
@@ -221,7 +223,7 @@ impl Column {
     }
 
     /// Heading and unit.
-    pub(crate) fn head(&self) -> Inlines {
+    pub fn head(&self) -> Inlines {
         let unit = &self.unit;
         match (self.heading.is_empty(), unit.is_empty()) {
             (_, true) => self.heading.clone(),
@@ -273,7 +275,7 @@ impl Table {
     }
 
     /// Whether any column has a heading.
-    pub(crate) fn has_head(&self) -> bool {
+    pub fn has_head(&self) -> bool {
         self.columns.iter().any(|column| !column.head().is_empty())
     }
 }
@@ -288,4 +290,4 @@ macro_rules! blocks {
     )*};
 }
 
-blocks!(Table(Table), Finding(FindingBlock), Drawing(Drawing));
+blocks!(Form(Form), Table(Table), Finding(FindingBlock), Drawing(Drawing));

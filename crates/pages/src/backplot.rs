@@ -11,7 +11,7 @@ use super::sheet::mm;
 use super::words::say;
 use crate::job::Job;
 use crate::motion::{MotionStep, Position, Sense};
-use crate::part::{Face, Part, Point};
+use crate::part::{Face, Hole, Outline, Part, Point, Standing};
 use crate::units::Micrometres;
 
 mod labels;
@@ -31,6 +31,8 @@ pub struct Frame<'a> {
     pub setups: Vec<Placed>,
     /// The designations of tools by their T numbers in the program.
     pub tools: Vec<(u32, String)>,
+    /// Clamps and obstacles, each with its set-up.
+    pub standing: Vec<(u32, Standing)>,
 }
 
 /// A set-up of a [`Frame`].
@@ -57,22 +59,25 @@ impl<'a> Frame<'a> {
             }
         }
         let placed = job.setups.iter().map(|setup| Placed { number: setup.number, face: setup.face, zero: setup.zero });
-        Self { part, setups: placed.collect(), tools }
+        let standing = job.setups.iter().flat_map(|setup| setup.standing.iter().map(|one| (setup.number, *one)));
+        Self { part, setups: placed.collect(), tools, standing: standing.collect() }
     }
 }
 
 impl Placed {
-    /// The centres of the holes with their diameters, in this set-up.
-    fn holes<'p>(&self, part: &'p Part) -> impl Iterator<Item = (Point, Micrometres)> + 'p {
+    /// The centres of the holes with their diameters and names, in this set-up.
+    fn holes<'p>(&self, part: &'p Part) -> impl Iterator<Item = (Point, Micrometres, &'p str)> + 'p {
         let (middle, back) = (part.middle().x, self.face == Face::Back);
         let turned = move |at: Point| Point { x: if back { middle + middle - at.x } else { at.x }, y: at.y };
-        part.holes.iter().flat_map(move |hole| hole.at.iter().map(move |&at| (turned(at), hole.diameter.nominal)))
+        let all = move |hole: &'p Hole| {
+            hole.at.iter().map(move |&at| (turned(at), hole.diameter.nominal, hole.name.as_str()))
+        };
+        part.holes.iter().flat_map(all)
     }
 }
 
 const MARGIN: f64 = 30.0;
 const TITLE: f64 = 46.0;
-const LEGEND: f64 = 66.0;
 /// Width of a panel where two are side by side, and where there are too many points for that.
 const WIDTHS: [f64; 2] = [620.0, 1240.0];
 const HEIGHT_MAX: f64 = 900.0;
@@ -80,6 +85,12 @@ const HEIGHT_MAX: f64 = 900.0;
 const ALONE: f64 = 820.0;
 /// Points that would be nearer than this on a narrow panel are shown on a wide one.
 const CROWDED: f64 = 26.0;
+
+/// The width of a sheet of a report, on which letters keep their size, and the most that its panels are high together.
+const SHEET: f64 = 680.0;
+const SHEET_HEIGHT: f64 = 860.0;
+/// Clamps.
+const CLAMP: &str = "#e3d3c3";
 
 const OUTLINE: Pen = Pen::solid("#444", 1.0);
 const HOLE: Pen = Pen::solid("#999", 1.0);
@@ -160,7 +171,38 @@ pub fn backplot(steps: &[MotionStep], frame: Option<&Frame<'_>>, lang: Lang) -> 
         (1, _) => (1, ALONE),
         _ => (2, WIDTHS[0]),
     };
-    let scale = ((width - 2.0 * MARGIN) / extent.across()).min(HEIGHT_MAX / extent.up());
+    sheet(&panels, 0, extent, (columns, width), frame, lang)
+}
+
+/// The same as sheets of a report, each with the numbers of the tools that it shows.
+pub(crate) fn sheets(steps: &[MotionStep], frame: &Frame<'_>, lang: Lang) -> Vec<(Vec<u32>, String)> {
+    let panels = read::panels(steps, Some(frame));
+    let Some(extent) = extent(&panels, Some(frame)) else { return Vec::new() };
+    let scale = scale(extent, SHEET);
+    // At least one, as tall as it is.
+    let fit = (SHEET_HEIGHT / (TITLE + extent.up() * scale + MARGIN)).max(1.0) as usize;
+    let drawn = panels.chunks(fit).enumerate().map(|(at, own)| {
+        let tools = own.iter().filter_map(|panel| panel.tool).collect();
+        (tools, sheet(own, at * fit, extent, (1, SHEET), Some(frame), lang))
+    });
+    drawn.collect()
+}
+
+/// Units of the page in a millimetre.
+fn scale(extent: Extent, width: f64) -> f64 {
+    ((width - 2.0 * MARGIN) / extent.across()).min(HEIGHT_MAX / extent.up())
+}
+
+/// Panels in columns, of which the first has a number among all.
+fn sheet(
+    panels: &[Panel<'_>],
+    first: usize,
+    extent: Extent,
+    (columns, width): (usize, f64),
+    frame: Option<&Frame<'_>>,
+    lang: Lang,
+) -> String {
+    let scale = scale(extent, width);
     let height = TITLE + extent.up() * scale + MARGIN;
     let mut canvas = Canvas::default();
     for (number, panel) in panels.iter().enumerate() {
@@ -168,11 +210,11 @@ pub fn backplot(steps: &[MotionStep], frame: Option<&Frame<'_>>, lang: Lang) -> 
         let used = extent.across() * scale;
         let origin = (corner.0 + (width - used) / 2.0, corner.1 + TITLE);
         let view = View { extent, origin, scale };
-        draw(&mut canvas, panel, number, view, (corner.0 + MARGIN, corner.1 + 18.0), frame, lang);
+        draw(&mut canvas, panel, first + number, view, (corner.0 + MARGIN, corner.1 + 18.0), frame, lang);
     }
     let (all, down) = (width * columns as f64, height * panels.len().div_ceil(columns) as f64);
-    legend(&mut canvas, (MARGIN, down), scale, all, frame.is_some(), lang);
-    canvas.page(all, down + LEGEND)
+    let deep = legend(&mut canvas, (MARGIN, down), scale, all, frame, lang);
+    canvas.page(all, deep + 20.0)
 }
 
 /// The plate, all cuts, and the tool-change position if it is not far away.
@@ -222,9 +264,12 @@ fn draw(
         // Turned over about its middle, the plate covers the same area.
         let (right, rear) = (left + blank.length.to_mm(), front + blank.width.to_mm());
         canvas.rectangle(view.at((left, front)), view.at((right, rear)), "#f4f4f4", Some(OUTLINE));
-        for (at, diameter) in placed.holes(frame.part) {
+        for (at, diameter, _) in placed.holes(frame.part) {
             let radius = (diameter.to_mm() / 2.0 * view.scale).max(1.0);
             canvas.circle(view.at((at.x.to_mm(), at.y.to_mm())), radius, "white", Some(HOLE));
+        }
+        for (_, one) in frame.standing.iter().filter(|(setup, _)| *setup == placed.number) {
+            clamp(canvas, one, &view);
         }
         zero(canvas, view.at((0.0, 0.0)));
     }
@@ -263,6 +308,36 @@ fn draw(
         }
     }
     numbers(canvas, panel, view, colour, &mut labels);
+    if let (Some(frame), Some(placed)) = (frame, panel.placed) {
+        names(canvas, placed.holes(frame.part), view, &mut labels);
+    }
+}
+
+/// What stands over the face, seen from above, as far as the panel reaches.
+fn clamp(canvas: &mut Canvas, one: &Standing, view: &View) {
+    let pen = Some(Pen::solid("#7a5c3e", 1.0));
+    let on_page = |at: Point| view.inside((at.x.to_mm(), at.y.to_mm()));
+    match one.outline {
+        Outline::Round(at, radius) => canvas.circle(on_page(at), radius.to_mm() * view.scale, CLAMP, pen),
+        Outline::Box(low, high) => canvas.rectangle(on_page(low), on_page(high), CLAMP, pen),
+    }
+}
+
+/// The names of the holes beside them, wherever the numbers leave room.
+fn names<'p>(
+    canvas: &mut Canvas,
+    holes: impl Iterator<Item = (Point, Micrometres, &'p str)>,
+    view: View,
+    labels: &mut Labels,
+) {
+    const SIZE: f64 = 9.0;
+    for (at, diameter, name) in holes {
+        let middle = view.at((at.x.to_mm(), at.y.to_mm()));
+        let off = (diameter.to_mm() / 2.0 * view.scale - 3.0).max(0.0);
+        if let Some(place) = labels.place_off(middle, off, name, SIZE) {
+            canvas.text_in(place, SIZE, Anchor::Middle, name, "#7a5c3e");
+        }
+    }
 }
 
 /// The points where the tool plunges, each with its number; where they are close together, every tenth.

@@ -95,7 +95,16 @@ impl Canvas {
     }
 
     /// A text. A white outline keeps it readable over lines.
-    pub(super) fn text(&mut self, (x, y): At, size: f64, anchor: Anchor, text: &str) {
+    pub(super) fn text(&mut self, at: At, size: f64, anchor: Anchor, text: &str) {
+        self.written(at, size, anchor, text, "");
+    }
+
+    /// The same in a colour.
+    pub(super) fn text_in(&mut self, at: At, size: f64, anchor: Anchor, text: &str, colour: &str) {
+        self.written(at, size, anchor, text, &format!(" fill=\"{colour}\""));
+    }
+
+    fn written(&mut self, (x, y): At, size: f64, anchor: Anchor, text: &str, fill: &str) {
         let anchor = match anchor {
             Anchor::Start => "start",
             Anchor::Middle => "middle",
@@ -106,7 +115,7 @@ impl Canvas {
              stroke-width=\"3\">{text}</text>"
         ));
         self.push_element(format_args!(
-            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\">{text}</text>"
+            "<text x=\"{x:.2}\" y=\"{y:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\"{fill}>{text}</text>"
         ));
     }
 

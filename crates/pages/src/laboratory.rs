@@ -1,8 +1,9 @@
 //! The laboratory report: the sixteen parts that the textbook asks for (5.3, l. 4888-4921), from one plan and its
 //! program. What only the author can write has a marked place.
 //!
-//! - `title` the title block, read from a file; `limits` what the part needs of the machine; `from_above` the drawing of
-//!   the part.
+//! - `forms` one form of it by itself, `cards` route and operation card, `tool_list` the tools; `title` the title block, read
+//!   from a file, `framed` the same around other pages; `limits` what the part needs of the machine;
+//! - `from_above` the drawing of the part; `clamping`, `assemblies` and `zone` those of the set-up.
 
 use crate::document::{Block, Column, Document, Drawing, Field, Inlines, Item, Table};
 use crate::error::KnowledgeError;
@@ -16,17 +17,26 @@ use crate::plan::{HolePlan, Plan, Transition};
 use crate::program::Setting;
 use crate::units::Micrometres;
 
-use super::backplot::{Frame, backplot};
+use super::backplot::{Frame, sheets};
 use super::doubts::unconfirmed;
 use super::encoding::EncodingSheet;
 use super::sheet::{self, exactly, mm, rounded, route};
 use super::words::say;
 use super::{Doubts, Lang, cycles, operation_noun, setting, transitions};
 
+mod assemblies;
+mod cards;
+mod clamping;
+mod forms;
+mod framed;
 mod from_above;
 mod limits;
 mod title;
+mod tool_list;
+mod zone;
 
+pub use forms::Form;
+pub use framed::framed;
 pub use title::{TitleBlock, read_title, schema};
 
 /// How many parts a report has.
@@ -99,20 +109,29 @@ fn part(page: &mut Document, number: u8, own: &Sources<'_>, title: &TitleBlock, 
         5 => blank(page, plan, own.knowledge, lang),
         6 => steps(page, plan, lang),
         7 => route::work(page, plan, lang),
-        8 => page.push(sheet::tools(plan, lang)),
+        8 => tool_list::section(page, own, lang),
         9 => {
             sheet::conditions(page, plan, lang);
             allowances(page, plan, lang);
         }
         10 => {
             sheet::set_up(page, plan, lang);
+            let scheme = clamping::scheme(plan, lang).map(|svg| figure(svg, say!(lang, "lab-clamping-scheme")));
+            page.blocks.extend(scheme.map(Block::from));
             by_author(page, title.fixture.as_deref(), "lab-write-fixture", lang);
         }
         11 => {
             page.push(sheet::corrections(plan, lang));
+            let sheets = assemblies::sheets(plan, lang).into_iter();
+            page.blocks.extend(sheets.map(|svg| figure(svg, say!(lang, "lab-assemblies")).into()));
             setting::loads(own.job, lang).into_iter().for_each(|line| page.paragraph(line));
         }
-        12 => page.push(setting::zeros(own.setting, lang)),
+        12 => {
+            page.push(setting::zeros(own.setting, lang));
+            for (tool, svg) in plan.setup.stands.iter().filter_map(|stand| zone::drawing(plan, stand, machine, lang)) {
+                page.push(figure(svg, &say!(lang, "lab-zone", tool = tool)));
+            }
+        }
         13 => change(page, own, lang),
         14 => charts(page, own, lang),
         15 => program(page, own, lang),
@@ -164,11 +183,7 @@ fn task(page: &mut Document, plan: &Plan, title: &TitleBlock, lang: Lang) {
         ]);
     }
     page.push(table);
-    page.push(Drawing {
-        svg: from_above::drawing(&plan.part, lang),
-        caption: say!(lang, "lab-from-above").into(),
-        alternative: say!(lang, "lab-from-above").to_owned(),
-    });
+    page.push(figure(from_above::drawing(&plan.part, lang), say!(lang, "lab-from-above")));
 }
 
 fn size(hole: &Hole, lang: Lang) -> String {
@@ -282,9 +297,10 @@ fn change(page: &mut Document, own: &Sources<'_>, lang: Lang) {
 
 /// The path of every tool over the holes, and the cycle of every tool.
 fn charts(page: &mut Document, own: &Sources<'_>, lang: Lang) {
-    let over = say!(lang, "lab-over-holes");
-    let svg = backplot(own.steps, Some(&Frame::of(own.job, &own.plan.part)), lang);
-    page.push(Drawing { svg, caption: over.into(), alternative: over.to_owned() });
+    for (tools, svg) in sheets(own.steps, &Frame::of(own.job, &own.plan.part), lang) {
+        let tools: Vec<String> = tools.iter().map(|tool| format!("T{tool}")).collect();
+        page.push(figure(svg, &say!(lang, "lab-path-of", tools = tools.join(", "))));
+    }
     for chart in cycles::diagrams(own.job, own.plan, lang) {
         let works = own.job.setups.iter().filter(|setup| setup.number == chart.setup).flat_map(|setup| &setup.works);
         let work = works.into_iter().find(|work| work.tool == chart.tool);
@@ -293,8 +309,13 @@ fn charts(page: &mut Document, own: &Sources<'_>, lang: Lang) {
             transitions::sentence(own.plan, work, &all, lang)
         });
         let caption = say!(lang, "lab-chart", tool = chart.tool, does = does);
-        page.push(Drawing { svg: chart.svg, caption: caption.as_str().into(), alternative: caption });
+        page.push(figure(chart.svg, &caption));
     }
+}
+
+/// A drawing whose caption says what it shows.
+fn figure(svg: String, caption: &str) -> Drawing {
+    Drawing { svg, caption: caption.into(), alternative: caption.to_owned() }
 }
 
 /// The encoding sheet, under the heading of the part.

@@ -2,7 +2,7 @@
 
 use super::Lang;
 use super::words::say;
-use crate::document::{Block, Column, Document, Inlines, Table};
+use crate::document::{Block, Column, Document, Inlines, Keep, Table};
 use crate::job::{Job, Left, Pause, SetUp, Unfinished};
 use crate::note::Severity;
 use crate::plan::{Plan, ToolPlan};
@@ -50,19 +50,24 @@ fn tools(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> Table {
         Column::number(say!(lang, "setting-place"), ""),
         Column::text("H"),
         Column::text(say!(lang, "plan-designation")),
+        Column::text(say!(lang, "plan-holder")).keep(Keep::Useful),
         Column::number("Ø", mm),
+        Column::number(say!(lang, "plan-overhang"), mm).keep(Keep::Useful),
         Column::number(say!(lang, "setting-length"), mm),
         Column::number(say!(lang, "plan-correction"), mm),
     ]);
     let tools = plan.tools.iter();
     let column = |of: &dyn Fn(&ToolPlan) -> _| super::sheet::column(&tools.clone().map(of).collect::<Vec<_>>(), lang);
     let held = |tool: &ToolPlan| setting.correctors.get(&tool.corrector).copied().unwrap_or_default();
-    let figures = column(&|tool| tool.diameter_mm).into_iter().zip(column(&|tool| tool.length_mm)).zip(column(&held));
-    for (tool, ((diameter, length), correction)) in plan.tools.iter().zip(figures) {
+    let [diameters, overhangs] = [column(&|tool| tool.diameter_mm), column(&|tool| tool.overhang_mm)];
+    let lengths = column(&|tool| tool.length_mm).into_iter().zip(column(&held));
+    let figures = diameters.into_iter().zip(overhangs).zip(lengths);
+    for (tool, ((diameter, overhang), (length, correction))) in plan.tools.iter().zip(figures) {
         let (number, register) = (format!("T{}", tool.number), format!("H{:02}", tool.corrector));
         let place = Inlines::number(place(tool, job).to_string());
         let designation = super::sheet::named(tool, "", lang).into();
-        table.row([number.into(), place, register.into(), designation, diameter, length, correction]);
+        let holder = tool.holder.as_str().into();
+        table.row([number.into(), place, register.into(), designation, holder, diameter, overhang, length, correction]);
     }
     table.notes.push(say!(lang, "setting-places").into());
     table.notes.push(say!(lang, "setting-lengths").into());

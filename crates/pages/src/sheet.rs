@@ -101,15 +101,15 @@ pub(super) fn mark<'b>(because: impl IntoIterator<Item = &'b Because>) -> &'stat
     if because.into_iter().any(|reason| reason.unconfirmed.is_some()) { MARK } else { "" }
 }
 
-/// Material, blank and machine.
-pub(super) fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
+/// The material with the figure that holds for it.
+pub(super) fn material_of(plan: &Plan, knowledge: &Knowledge, lang: Lang) -> String {
     let part = &plan.part;
     let material = Material::find(knowledge, &part.material);
     let material = material.map(|material| match part.material_state {
         Some(state) => material.in_state(state, knowledge),
         None => Ok(material),
     });
-    let material = material.and_then(|material| material).map_or_else(
+    material.and_then(|material| material).map_or_else(
         |_| part.material.clone(),
         |material| {
             let (hardness, strength) = (material.hardness, material.strength);
@@ -121,7 +121,13 @@ pub(super) fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang
                     .with("strength", strength),
             )
         },
-    );
+    )
+}
+
+/// Material, blank and machine.
+pub(super) fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
+    let part = &plan.part;
+    let material = material_of(plan, knowledge, lang);
     let machine = Machine::find(knowledge, &part.machine).map(|machine| &machine.table.title);
     // The title of a table stands in the table, in both languages.
     let machine = machine.map_or(part.machine.as_str(), |title| title.text(lang.tag()));

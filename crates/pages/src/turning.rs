@@ -7,6 +7,7 @@ mod map;
 mod operation;
 mod operation_drawing;
 mod phrases;
+mod report;
 mod schemes;
 mod schemes_drawing;
 mod setting;
@@ -32,6 +33,7 @@ pub use frames::frames;
 pub use map::{map_drawing, map_page};
 pub use operation::{operation_page, programs_list};
 pub use operation_drawing::operation_drawing;
+pub use report::{Printed, report_page};
 pub use setting::setting_page;
 
 /// The whole page of a shaft.

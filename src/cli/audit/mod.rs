@@ -3,7 +3,7 @@
 mod file;
 mod folder;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use technolog::audit::{Audit, Auditor};
 use technolog::knowledge::Diagnostic;
@@ -63,6 +63,20 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     found.marks = scheme.map(|scheme| scheme.mark(&found));
     give_out(&found, format, context)?;
     Ok(if found.has_errors() { Outcome::Findings } else { Outcome::Done })
+}
+
+/// The audit of one plan, without marks.
+///
+/// # Errors
+/// The file cannot be used; all its mistakes are reported at once.
+pub fn of_file(
+    plan: &Path,
+    auditor: &Auditor<'_>,
+    places: FileRoots<'_>,
+    context: &Context,
+) -> Result<Audit, CliError> {
+    let stated = file::read(plan, auditor, places, context)?;
+    auditor.audit(&stated).map_err(|error| file::at_fault(&stated, &error, context))
 }
 
 fn give_out(found: &Audit, format: Format, context: &Context) -> Result<(), CliError> {

@@ -91,7 +91,7 @@ fn walk(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
 /// It would overwrite one, or there are several.
 pub fn spare_inputs(found: &[SourceFile], write: bool, context: &Context) -> Result<(), CliError> {
     found.iter().for_each(|file| context.uses(&file.path));
-    context.spare_inputs()?;
+    context.spare_inputs(context.output.as_deref())?;
     let copy = context.output.as_deref().is_some_and(|output| output != Path::new("-"));
     if copy && write && found.len() != 1 {
         let problem = Diagnostic::error("several-files", context.word("test-one-copy"), None);

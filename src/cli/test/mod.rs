@@ -108,9 +108,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let text = match format {
         Format::Json => answer::json(&runs, context)?,
         Format::Junit => junit::document(&runs, context),
-        _ => context.written(&untitled(page::page(&runs, context.lang), format), format),
+        _ => context.written(&untitled(page::page(&runs, context.lang), format), format, context.output.as_deref()),
     };
-    context.spare_inputs()?;
+    context.spare_inputs(context.output.as_deref())?;
     output::write(text.as_bytes(), screen, context.lang)?;
     let render = |run: &CaseFileRun| render(run.mistakes.clone(), &run.texts, context.amount, context.lang);
     let mistakes: String = runs.iter().map(render).collect();
@@ -137,7 +137,7 @@ fn write(
     let filled = fill(&found.text, read, failures, around, asker).map_err(at_fault)?;
     read.mistakes.extend(filled.problems.into_iter().map(technolog::turning::shaft::Mistake::Form));
     let copy = context.output.as_deref();
-    context.spare_inputs()?;
+    context.spare_inputs(context.output.as_deref())?;
     match filled.text {
         Some(text) => {
             // Cases take time: the file may have been edited meanwhile, and that must not be lost.

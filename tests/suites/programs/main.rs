@@ -8,12 +8,14 @@
     reason = "clippy allows it in tests, but not in the functions they share"
 )]
 
+mod browser;
 mod cases;
 mod clamps;
 mod directed;
 mod drawings;
 mod fuzz;
 mod iso;
+mod office;
 mod proof;
 mod report;
 mod times;

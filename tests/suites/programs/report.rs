@@ -89,6 +89,50 @@ fn the_title_block_names_who_hands_it_in_and_chooses_the_parts() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
+/// Several files come out of one run, each by its ending; if one of them cannot be written, none is.
+#[test]
+fn several_files_are_written_at_once_or_not_at_all() {
+    let folder = std::env::temp_dir().join(format!("technolog-files-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = |name: &str| folder.join(name).display().to_string();
+    let (html, md) = (path("a.html"), path("a.md"));
+    let report = |files: &[&str]| {
+        let files: Vec<&str> = files.iter().flat_map(|file| ["-o", file]).collect();
+        let output = run(&[&["report", "examples/plate.yaml", "--lang", "en"], &files[..]].concat());
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    assert_eq!(report(&[&html, &md]), (Some(0), String::new()));
+    assert!(std::fs::read_to_string(&html).unwrap().starts_with("<!doctype html>"));
+    assert!(std::fs::read_to_string(&md).unwrap().starts_with("# "));
+    std::fs::write(&html, "old").unwrap();
+    let (code, told) = report(&[&html, &path("no/such/folder.md")]);
+    assert!(code == Some(2) && told.contains("no/such"), "{told}");
+    for (file, said) in [("a.xyz", ".html"), ("a", ".html"), ("a.rtf", ".html"), ("a.html", "twice")] {
+        let (code, told) = report(&[&html, &path(file)]);
+        assert!(code == Some(2) && told.contains(said), "{file}: {told}");
+    }
+    assert_eq!(std::fs::read_to_string(&html).unwrap(), "old");
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 2, "no temporary file is left");
+    let plan = run(&["plan", "examples/plate.yaml", "--lang", "en", "-o", &html, "-o", &md]);
+    let told = String::from_utf8(plan.stderr).unwrap();
+    assert!(plan.status.code() == Some(2) && told.contains("more than once"), "{told}");
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+/// A shop has one form by itself, in every format.
+#[test]
+fn every_form_can_be_had_by_itself() {
+    for (form, _) in technolog::report::laboratory::Form::NAMES {
+        for lang in ["uk", "en"] {
+            for format in ["html", "markdown", "text"] {
+                let text =
+                    printed(&["report", "examples/plate.yaml", "--only", form, "--lang", lang, "--format", format]);
+                assert!(text.lines().count() > 5 && !text.contains("form-"), "{form} {lang} {format}: {text}");
+            }
+        }
+    }
+}
+
 /// A part that cannot be made whole is never reported as made.
 #[test]
 fn what_cannot_be_made_is_said_in_parts_4_15_and_16() {

@@ -89,7 +89,9 @@ pub fn inlines(words: BoxedStrategy<String>) -> BoxedStrategy<Inlines> {
         1 => words.clone().prop_map(Inline::Strong),
         1 => words.clone().prop_map(Inline::Code),
         // Units have no spaces.
-        1 => words.clone().prop_map(|unit| Inline::Quantity { number: "0,25".to_owned(), unit: unit.replace(' ', "") }),
+        1 => words.clone().prop_map(|unit| {
+            Inline::Quantity { number: "0,25".to_owned(), unit: unit.replace(' ', ""), value: "0.25".parse().ok() }
+        }),
         1 => words.clone().prop_map(|to| Inline::Link { text: to.clone(), to }),
     ];
     prop::collection::vec(piece, 1..4).prop_map(|pieces| pieces.into_iter().collect()).boxed()

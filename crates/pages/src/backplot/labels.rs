@@ -69,10 +69,15 @@ impl Labels {
     /// The place of a number (the middle of its base line): of eight places around its point, the one crossed by the
     /// fewest lines. None if all are occupied.
     pub(super) fn place(&mut self, at: At, text: &str, size: f64) -> Option<At> {
+        self.place_off(at, 0.0, text, size)
+    }
+
+    /// The same for a text that keeps off its point, as far as a hole is wide.
+    pub(super) fn place_off(&mut self, at: At, off: f64, text: &str, size: f64) -> Option<At> {
         let (half, high) = (width_of(text, size) / 2.0, size * 0.75);
         // Two adjacent numbers must not be read as one.
         let half = half + 1.0;
-        let (dx, dy) = (half + 3.0, high / 2.0 + 5.0);
+        let (dx, dy) = (half + 3.0 + off, high / 2.0 + 5.0 + off);
         let around =
             [(1.0, -1.0), (-1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, -1.0), (0.0, 1.0)];
         let mut best: Option<(usize, At, At)> = None;

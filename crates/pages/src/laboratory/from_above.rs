@@ -1,36 +1,73 @@
 //! The part from above: the plate with its overall sizes, every hole with the name of its group, the zero of the drawing.
 
-use crate::part::Part;
+use crate::part::{Hole, Part, Point};
+use crate::units::Micrometres;
 
 use super::super::canvas::{Anchor, At, Canvas, Pen, width_of};
 use super::super::sheet::mm;
 use super::Lang;
 
-const WIDTH: f64 = 720.0;
-const MARGIN: f64 = 60.0;
+pub(super) const WIDTH: f64 = 720.0;
+pub(super) const MARGIN: f64 = 60.0;
 const TALLEST: f64 = 640.0;
 const INK: Pen = Pen::solid("#333", 1.2);
-const THIN: Pen = Pen::solid("#888", 0.8);
+pub(super) const THIN: Pen = Pen::solid("#888", 0.8);
 const AXIS: Pen = Pen::dashed("#999", 0.7);
 /// A hole is never drawn smaller than this, so that it is seen.
 const LEAST: f64 = 2.5;
 
+/// Where the plate lies on the page.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plate {
+    /// Its upper left corner and its size on the page.
+    pub corner: At,
+    pub across: f64,
+    pub up: f64,
+    /// Units of the page in a millimetre.
+    pub scale: f64,
+    left: f64,
+    front: f64,
+}
+
+impl Plate {
+    /// As large as the page allows, that far below its upper edge.
+    pub(super) fn of(part: &Part, top: f64) -> Self {
+        let (length, width) = (part.blank.length.to_mm().max(1.0), part.blank.width.to_mm().max(1.0));
+        let scale = ((WIDTH - 2.0 * MARGIN) / length).min(TALLEST / width);
+        let (across, up) = (length * scale, width * scale);
+        let corner = ((WIDTH - across) / 2.0, top);
+        Self { corner, across, up, scale, left: part.datum.left.to_mm(), front: part.datum.front.to_mm() }
+    }
+
+    /// A point of the drawing: there Y points up, and down in the file.
+    pub(super) fn at(&self, point: Point) -> At {
+        let (x, y) = (point.x.to_mm() - self.left, point.y.to_mm() - self.front);
+        (self.corner.0 + x * self.scale, self.corner.1 + self.up - y * self.scale)
+    }
+
+    /// Its outline.
+    pub(super) fn outline(&self, canvas: &mut Canvas) {
+        let (x, y) = self.corner;
+        canvas.rectangle((x, y), (x + self.across, y + self.up), "none", Some(INK));
+    }
+
+    /// How large a hole is drawn.
+    pub(super) fn radius(&self, hole: &Hole) -> f64 {
+        (hole.diameter.nominal.to_mm() * self.scale / 2.0).max(LEAST)
+    }
+}
+
 /// The drawing, a whole SVG file.
 pub(super) fn drawing(part: &Part, lang: Lang) -> String {
-    let (length, width) = (part.blank.length.to_mm().max(1.0), part.blank.width.to_mm().max(1.0));
-    let (left, front) = (part.datum.left.to_mm(), part.datum.front.to_mm());
-    let scale = ((WIDTH - 2.0 * MARGIN) / length).min(TALLEST / width);
-    let (across, up) = (length * scale, width * scale);
-    let corner = ((WIDTH - across) / 2.0, MARGIN / 2.0);
-    // Y points up on the drawing of the part, and down in the file.
-    let at = |x: f64, y: f64| -> At { (corner.0 + (x - left) * scale, corner.1 + (front + width - y) * scale) };
+    let plate = Plate::of(part, MARGIN / 2.0);
+    let Plate { corner, across, up, .. } = plate;
     let mut canvas = Canvas::default();
-    canvas.rectangle(corner, (corner.0 + across, corner.1 + up), "none", Some(INK));
+    plate.outline(&mut canvas);
     let mut taken: Vec<(At, f64)> = Vec::new();
     for hole in &part.holes {
-        let radius = (hole.diameter.nominal.to_mm() * scale / 2.0).max(LEAST);
+        let radius = plate.radius(hole);
         for point in &hole.at {
-            let (x, y) = at(point.x.to_mm(), point.y.to_mm());
+            let (x, y) = plate.at(*point);
             let arm = radius + 4.0;
             canvas.line(&[(x - arm, y), (x + arm, y)], AXIS);
             canvas.line(&[(x, y - arm), (x, y + arm)], AXIS);
@@ -41,7 +78,7 @@ pub(super) fn drawing(part: &Part, lang: Lang) -> String {
             canvas.text(place, SIZE, Anchor::Start, &hole.name);
         }
     }
-    zero(&mut canvas, at(0.0, 0.0));
+    zero(&mut canvas, plate.at(Point { x: Micrometres::ZERO, y: Micrometres::ZERO }));
     let below = corner.1 + up + 22.0;
     dimension(&mut canvas, [(corner.0, below), (corner.0 + across, below)], &mm(part.blank.length, lang));
     let beside = corner.0 - 22.0;
@@ -49,7 +86,7 @@ pub(super) fn drawing(part: &Part, lang: Lang) -> String {
     canvas.page(WIDTH, corner.1 + up + 46.0)
 }
 
-const SIZE: f64 = 12.0;
+pub(super) const SIZE: f64 = 12.0;
 
 /// The first place around a hole for its name where no other name stands; the first place of all if every one is taken.
 fn label((x, y): At, radius: f64, long: f64, taken: &[(At, f64)]) -> At {
@@ -74,7 +111,7 @@ fn zero(canvas: &mut Canvas, (x, y): At) {
 }
 
 /// A dimension line with an arrow at either end; its figure beside the middle.
-fn dimension(canvas: &mut Canvas, [from, to]: [At; 2], figure: &str) {
+pub(super) fn dimension(canvas: &mut Canvas, [from, to]: [At; 2], figure: &str) {
     canvas.line(&[from, to], THIN);
     canvas.head(from, to, THIN);
     canvas.head(to, from, THIN);

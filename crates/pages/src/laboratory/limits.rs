@@ -23,8 +23,12 @@ pub(super) fn record(machine: &Machine<'_>, lang: Lang) -> Table {
     for own in machine.characteristics().filter(|own| own.name != MachineQuantity::Control.name()) {
         let Some(label) = lang.find(&format!("characteristic-{}", own.name)) else { continue };
         let figures: Vec<String> = own.values.iter().map(|figure| lang.figure(&short(*figure))).collect();
-        let said = if figures.is_empty() { own.text.unwrap_or_default().to_owned() } else { figures.join("; ") };
-        table.row([label.to_owned(), said, unit_of(own.unit, lang).to_owned()]);
+        let said = match figures.as_slice() {
+            [] => own.text.unwrap_or_default().into(),
+            [one] => Inlines::number(one),
+            several => several.join("; ").into(),
+        };
+        table.row([label.into(), said, unit_of(own.unit, lang).into()]);
     }
     table
 }
@@ -41,8 +45,8 @@ pub(super) fn section(page: &mut Document, own: &Sources<'_>, machine: &Machine<
     for demand in demands(plan, machine) {
         let enough = lang.word(if demand.is_met() { "lab-yes" } else { "lab-no" });
         let (name, unit, [needed, available]) = said(&demand);
-        let side = |value: f64| lang.figure(&short(value)) + " " + unit_of(unit, lang);
-        table.row([lang.word(name).to_owned(), side(needed), side(available), enough.to_owned()]);
+        let side = |value: f64| Inlines::default().quantity(lang.figure(&short(value)), unit_of(unit, lang));
+        table.row([lang.word(name).into(), side(needed), side(available), enough.into()]);
     }
     page.push(table);
     let key = match (plan.has_errors() || own.warning.is_some(), own.left.is_empty()) {

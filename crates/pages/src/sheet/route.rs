@@ -46,13 +46,28 @@ pub(crate) fn work(page: &mut Document, plan: &Plan, lang: Lang) {
     page.push(Block::Fields(visits.collect()));
 }
 
-fn rows(plan: &Plan, lang: Lang) -> Vec<Vec<Inlines>> {
-    let mut rows: Vec<Vec<Inlines>> = vec![vec![say!(lang, "plan-set-up").into()]];
+/// A step of the operation.
+pub(crate) enum WorkStep<'p> {
+    /// The blank is set up.
+    SetUp,
+    /// The part is turned over for that set-up.
+    TurnOver(u32),
+    /// A transition of a group of holes.
+    Make { hole: &'p HolePlan, transition: &'p Transition },
+    /// The part is taken off.
+    TakeOff,
+    /// A transition on another machine.
+    Elsewhere { hole: &'p HolePlan, transition: &'p Transition },
+}
+
+/// The steps of the operation in the order of work; then what another machine does.
+pub(crate) fn work_steps(plan: &Plan) -> Vec<WorkStep<'_>> {
+    let mut steps = vec![WorkStep::SetUp];
     let mut setup = 1;
     for visit in &plan.sequence {
         if visit.setup != setup {
             setup = visit.setup;
-            rows.push(vec![say!(lang, "plan-turn-over", setup = setup).into()]);
+            steps.push(WorkStep::TurnOver(setup));
         }
         let mut done: Vec<(&str, usize)> = Vec::new();
         for stop in &visit.stops {
@@ -64,14 +79,37 @@ fn rows(plan: &Plan, lang: Lang) -> Vec<Vec<Inlines>> {
         for (name, index) in done {
             let Some(hole) = plan.holes.iter().find(|hole| hole.name == name) else { continue };
             let Some(transition) = hole.transitions.get(index) else { continue };
-            rows.push(step(plan, hole, transition, lang));
+            steps.push(WorkStep::Make { hole, transition });
         }
     }
-    rows.push(vec![say!(lang, "plan-take-off").into()]);
+    steps.push(WorkStep::TakeOff);
     for hole in &plan.holes {
-        rows.extend(hole.transitions.iter().filter(|own| own.elsewhere).map(|own| step(plan, hole, own, lang)));
+        let elsewhere = hole.transitions.iter().filter(|own| own.elsewhere);
+        steps.extend(elsewhere.map(|transition| WorkStep::Elsewhere { hole, transition }));
     }
-    rows
+    steps
+}
+
+/// A step in words, as on a route card.
+pub(crate) fn told(plan: &Plan, step: &WorkStep<'_>, lang: Lang) -> String {
+    match step {
+        WorkStep::SetUp => say!(lang, "plan-set-up").to_owned(),
+        WorkStep::TurnOver(setup) => say!(lang, "plan-turn-over", setup = *setup),
+        WorkStep::TakeOff => say!(lang, "plan-take-off").to_owned(),
+        WorkStep::Make { hole, transition } | WorkStep::Elsewhere { hole, transition } => {
+            content(plan, hole, transition, lang)
+        }
+    }
+}
+
+fn rows(plan: &Plan, lang: Lang) -> Vec<Vec<Inlines>> {
+    let row = |own: &WorkStep<'_>| match own {
+        WorkStep::Make { hole, transition } | WorkStep::Elsewhere { hole, transition } => {
+            step(plan, hole, transition, lang)
+        }
+        other => vec![told(plan, other, lang).into()],
+    };
+    work_steps(plan).iter().map(row).collect()
 }
 
 /// The points of a tool in the order of its path; a hole and its point stay on one line.

@@ -47,6 +47,30 @@ pub fn operation_drawing(operation: &Operation, all: bool, lang: Lang) -> String
     canvas.page(WIDE, top.max(TITLE) + MARGIN)
 }
 
+/// The same as single drawings with their captions, for pages of paper: the allowances of each side, then the chosen
+/// toolpath over each zone.
+pub(super) fn figures(operation: &Operation, lang: Lang) -> Vec<(String, String)> {
+    let mut all = Vec::new();
+    for set_up in &operation.set_ups {
+        for side in &set_up.sides {
+            let (number, side_of) = (set_up.set_up.number, word(side.side.name()));
+            let mut canvas = Canvas::default();
+            let bottom = layers(&mut canvas, operation, (set_up, side), 0.0, lang);
+            let caption = say!(lang, "turn-layers", set_up = number, side = side_of.clone());
+            all.push((caption, canvas.page(WIDE, bottom + MARGIN / 2.0)));
+            for (zone, work) in side.zones.iter().flat_map(|zone| zone.works.iter().map(move |work| (zone, work))) {
+                let Some(taken) = work.transition() else { continue };
+                let mut canvas = Canvas::default();
+                let bottom = draw_toolpath(&mut canvas, (set_up, side, zone), work, taken, 0.0, lang);
+                let zone = format!("{number}.{}", zone.zone.number);
+                let caption = say!(lang, "turn-report-way", set_up = number, side = side_of.clone(), zone = zone);
+                all.push((caption, canvas.page(WIDE, bottom + MARGIN / 2.0)));
+            }
+        }
+    }
+    all
+}
+
 /// The corners of the box around contours and, with `axis`, the axis.
 fn corners(contours: &[&Contour], axis: bool) -> (Point, Point) {
     let points: Vec<Point> =

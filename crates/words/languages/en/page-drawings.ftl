@@ -8,6 +8,7 @@ backplot-points = points: { $count }
 backplot-plunge = down along Z, in this order
 backplot-tool-change = tool change
 backplot-zero = zero of the part
+backplot-clamp = clamp or obstacle
 backplot-scale-of-drawing = { $length } mm; coordinates of the drawing
 backplot-scale-of-machine = { $length } mm; coordinates of the machine
 # Diagrams of cycles.
@@ -37,7 +38,7 @@ cycles-coolant = with coolant
 cycles-not-to-scale = Z as on the drawing, mm; not to scale
 cycles-before = before: Ø{ $diameter }
 cycles-top = top { $z }
-cycles-full-diameter = full Ø to { $z }
+cycles-full-diameter = full Ø { $z }
 cycles-bottom = bottom { $z }
 cycles-radii = { $count ->
         [1] radius

@@ -8,6 +8,7 @@ backplot-points = точок: { $count }
 backplot-plunge = подача вздовж Z, за чергою
 backplot-tool-change = заміна інструмента
 backplot-zero = нуль деталі
+backplot-clamp = притискач або перешкода
 backplot-scale-of-drawing = { $length } мм; координати креслення
 backplot-scale-of-machine = { $length } мм; координати верстата
 # Diagrams of cycles.
@@ -29,9 +30,9 @@ cycles-out-stopped = вихід зі зупиненим шпинделем
 cycles-out-at-feed = вихід на робочій подачі
 cycles-coolant = з МОР
 cycles-not-to-scale = Z – за кресленням, мм; не в масштабі
-cycles-before = до: Ø{ $diameter }
+cycles-before = попередній Ø{ $diameter }
 cycles-top = верх { $z }
-cycles-full-diameter = повний Ø до { $z }
+cycles-full-diameter = повний Ø { $z }
 cycles-bottom = низ { $z }
 cycles-radii = { $count ->
         [1] радіус

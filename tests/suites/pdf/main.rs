@@ -1,0 +1,81 @@
+//! Reports as PDF, read back as text by pdftotext (Debian: poppler-utils). Only with the feature `pdf`.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "as in the other suites")]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use technolog::note::IntoFigure;
+use technolog::plan::CuttingMethod;
+use technolog::report::Lang;
+use technolog::report::laboratory::Form;
+use technolog_testing::{planned, read};
+
+fn run(arguments: &[&str]) -> Output {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    Command::new(env!("CARGO_BIN_EXE_technolog")).args(arguments).current_dir(root).output().unwrap()
+}
+
+/// The file of a report, and its text with single spaces; none where there is no pdftotext.
+fn printed(name: &str, arguments: &[&str]) -> (Vec<u8>, Option<String>) {
+    let folder = std::env::temp_dir().join(format!("technolog-pdf-{}-{name}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("report.pdf").display().to_string();
+    let output = run(&[&["report", "-o", &file], arguments].concat());
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{}", String::from_utf8_lossy(&output.stderr));
+    let bytes = std::fs::read(&file).unwrap();
+    assert!(bytes.starts_with(b"%PDF-"));
+    let text = Command::new("pdftotext").args(["-layout", &file, "-"]).output().ok();
+    let text =
+        text.map(|told| String::from_utf8(told.stdout).unwrap().split_whitespace().collect::<Vec<_>>().join(" "));
+    if text.is_none() {
+        eprintln!("pdftotext is not here: what the file says was not read");
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+    (bytes, text)
+}
+
+/// Nothing of the plan is lost on the way onto paper, and the text is that of the other formats, Ukrainian letters too.
+#[test]
+fn every_figure_of_the_plan_is_in_its_pdf() {
+    for name in ["plate", "variant-4"] {
+        let path = format!("examples/{name}.yaml");
+        let (_, text) = printed(name, &[&path, "--title", "examples/report.yaml", "--lang", "uk"]);
+        let Some(text) = text else { return };
+        let part = read(&std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(&path)).unwrap());
+        let plan = planned(&part, CuttingMethod::default());
+        let has = |what: &str| assert!(text.contains(what), "{path}: {what} is not in the file");
+        for said in ["О. Ковальчук", "16. Висновки", "Рисунок 1"] {
+            has(said);
+        }
+        for tool in &plan.tools {
+            has(&tool.designation);
+            has(&tool.holder);
+            has(&Lang::UK.figure(&tool.length_mm.into_figure()));
+            has(&Lang::UK.figure(&tool.overhang_mm.into_figure()));
+        }
+        for own in plan.holes.iter().flat_map(|hole| &hole.transitions) {
+            has(&Lang::UK.figure(&own.diameter_mm.into_figure()));
+            if !own.elsewhere {
+                has(&format!("{:.0}", own.conditions.spindle_rpm.0));
+                has(&format!("{:.0}", own.conditions.feed_mm_per_min.0));
+            }
+        }
+        has(&format!("{:.2}", plan.time.total_min.0).replace('.', ","));
+    }
+}
+
+#[test]
+fn every_form_is_printed_with_the_same_bytes_each_time() {
+    for (form, _) in Form::NAMES {
+        let once = || printed(form, &["examples/plate.yaml", "--only", form]);
+        let ((bytes, text), (again, _)) = (once(), once());
+        assert!(bytes == again, "{form}: other bytes");
+        if let Some(text) = text {
+            assert!(
+                text.contains("035-2300-1273") || form == "encoding-sheet" && text.contains("N5"),
+                "{form}: {text}"
+            );
+        }
+    }
+}
