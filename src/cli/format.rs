@@ -15,6 +15,8 @@ pub enum Format {
     Yaml,
     /// For spreadsheets.
     Csv,
+    /// A workbook.
+    Xlsx,
     /// A drawing.
     Svg,
     /// For documents.
@@ -28,8 +30,18 @@ pub enum Format {
 }
 
 impl Format {
-    const ALL: [Self; 9] =
-        [Self::Text, Self::Json, Self::Yaml, Self::Csv, Self::Svg, Self::Markdown, Self::Html, Self::Hand, Self::Junit];
+    const ALL: [Self; 10] = [
+        Self::Text,
+        Self::Json,
+        Self::Yaml,
+        Self::Csv,
+        Self::Xlsx,
+        Self::Svg,
+        Self::Markdown,
+        Self::Html,
+        Self::Hand,
+        Self::Junit,
+    ];
 
     /// The extensions of its files, the usual one first.
     pub const fn endings(self) -> &'static [&'static str] {
@@ -38,6 +50,7 @@ impl Format {
             Self::Json => &[".json"],
             Self::Yaml | Self::Hand => &[".yaml", ".yml"],
             Self::Csv => &[".csv"],
+            Self::Xlsx => &[".xlsx"],
             Self::Svg => &[".svg"],
             Self::Markdown => &[".md", ".markdown"],
             Self::Html => &[".html", ".htm"],
@@ -59,6 +72,7 @@ impl Format {
             Self::Json => "json",
             Self::Yaml => "yaml",
             Self::Csv => "csv",
+            Self::Xlsx => "xlsx",
             Self::Svg => "svg",
             Self::Markdown => "markdown",
             Self::Html => "html",
@@ -84,8 +98,8 @@ pub fn names(formats: &[Format]) -> String {
 
 /// Extensions of formats that no command writes: such a file would contain text.
 const OTHERS: &[&str] = &[
-    ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",
-    ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",
+    ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsm", ".ods", ".tsv", ".ppt",
+    ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",
     ".step", ".stp", ".iges", ".igs", ".stl", ".cdw", ".frw", ".spw", ".zip", ".gz", ".7z", ".rar", ".tar", ".toml",
     ".ini", ".js", ".py", ".sqlite", ".db", ".exe",
 ];

@@ -14,11 +14,11 @@ use crate::tables::audit::Mistakes;
 use crate::tables::holders::HolderRow;
 use crate::tooling::named::{self, NamedCutter};
 
-use super::finding::Audit;
+use super::finding::{Audit, AuditFinding};
 use super::near::Names;
 use super::stated::{Program, Stated};
 use super::tolerance::Tolerances;
-use super::{checks, context, coverage, figures, graph, mistakes, rules};
+use super::{checks, context, coverage, figures, graph, mistakes, rules, unsaid};
 
 /// Audits plans, one after the other or many at once.
 #[derive(Debug)]
@@ -103,7 +103,9 @@ impl<'k> Auditor<'k> {
             graph.replace(formula);
         }
         let mut findings = figures::findings(&context, &graph);
+        findings.extend(stated.remarks.iter().map(AuditFinding::of_remark));
         checks::all(&context, &graph, &mut findings)?;
+        unsaid::leave_out(stated, self.knowledge, &mut findings)?;
         Ok(Audit::new(stated, coverage::of(stated, self.knowledge)?, findings))
     }
 
