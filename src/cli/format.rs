@@ -15,8 +15,6 @@ pub enum Format {
     Yaml,
     /// For spreadsheets.
     Csv,
-    /// A workbook.
-    Xlsx,
     /// A drawing.
     Svg,
     /// For documents.
@@ -27,6 +25,8 @@ pub enum Format {
     Hand,
     /// For continuous integration.
     Junit,
+    /// For spreadsheets, with typed figures.
+    Xlsx,
 }
 
 impl Format {
@@ -35,12 +35,12 @@ impl Format {
         Self::Json,
         Self::Yaml,
         Self::Csv,
-        Self::Xlsx,
         Self::Svg,
         Self::Markdown,
         Self::Html,
         Self::Hand,
         Self::Junit,
+        Self::Xlsx,
     ];
 
     /// The extensions of its files, the usual one first.
@@ -50,11 +50,11 @@ impl Format {
             Self::Json => &[".json"],
             Self::Yaml | Self::Hand => &[".yaml", ".yml"],
             Self::Csv => &[".csv"],
-            Self::Xlsx => &[".xlsx"],
             Self::Svg => &[".svg"],
             Self::Markdown => &[".md", ".markdown"],
             Self::Html => &[".html", ".htm"],
             Self::Junit => &[".xml"],
+            Self::Xlsx => &[".xlsx"],
         }
     }
 
@@ -72,12 +72,12 @@ impl Format {
             Self::Json => "json",
             Self::Yaml => "yaml",
             Self::Csv => "csv",
-            Self::Xlsx => "xlsx",
             Self::Svg => "svg",
             Self::Markdown => "markdown",
             Self::Html => "html",
             Self::Hand => "hand",
             Self::Junit => "junit",
+            Self::Xlsx => "xlsx",
         }
     }
 }

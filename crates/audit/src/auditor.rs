@@ -7,6 +7,7 @@ use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::memo::Memo;
 use crate::motion::MotionStep;
+use crate::part::Part;
 use crate::plan::Plan;
 use crate::planner;
 use crate::program::{Fault, Language, Setting};
@@ -72,6 +73,11 @@ impl<'k> Auditor<'k> {
 
     /// The program's own plan of the same part by the same method.
     pub(super) fn own_plan(&self, stated: &Stated) -> Result<Arc<Plan>, KnowledgeError> {
+        // A part that is made of a list has no holes of its own: nothing is compared with a plan of ours.
+        if stated.unsaid.is_some() {
+            let part = Part { holes: Vec::new(), ..stated.part.clone() };
+            return planner::plan(&part, stated.method, self.knowledge).map(Arc::new);
+        }
         let plan = || planner::plan(&stated.part, stated.method, self.knowledge).map(Arc::new);
         // A part that cannot be serialised cannot be compared with another, so it is planned separately.
         match serde_json::to_string(&(&stated.part, stated.method)) {

@@ -100,7 +100,7 @@ pub fn written(sheets: &[Sheet]) -> Result<Vec<u8>, String> {
     let head = Format::new().set_bold().set_text_wrap().set_align(FormatAlign::Top);
     for sheet in sheets {
         let page = book.add_worksheet();
-        page.set_name(&sheet.name).map_err(|error| error.to_string())?;
+        page.set_name(name(&sheet.name)).map_err(|error| error.to_string())?;
         let first = sheet.rows.first().map(|row| row.line);
         for row in &sheet.rows {
             let line = row.line.saturating_sub(1);
@@ -121,6 +121,11 @@ pub fn written(sheets: &[Sheet]) -> Result<Vec<u8>, String> {
         }
     }
     book.save_to_buffer().map_err(|error| error.to_string())
+}
+
+/// A name as a sheet may have it: 31 characters, without those that mean something in formulas.
+fn name(text: &str) -> String {
+    text.chars().filter(|sign| !matches!(sign, '[' | ']' | ':' | '*' | '?' | '/' | '\\')).take(31).collect()
 }
 
 /// The value of a text that is a figure and nothing else: `07` is the name of a scheme.

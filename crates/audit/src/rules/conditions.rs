@@ -265,19 +265,17 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
     Ok(known)
 }
 
-/// The feed of the table, mm/rev, for conditions of a list of tools that says its material but no part.
+/// The feed of the table, mm/rev, of a drill in a list of tools. A list does not say how well its hole is to be: where a reamer follows, and
+/// for other tools, the feed depends on that.
 fn list_feed(context: &Context<'_>, at: usize) -> Result<Option<f64>, KnowledgeError> {
-    let Some(mut cut) = handbook::cut(context, at)? else { return Ok(None) };
-    // The others have no feed of the handbook that needs nothing but the tool.
-    let by_handbook = matches!(cut.operation, Operation::Drill | Operation::DrillOut | Operation::CoreDrill)
-        || cut.operation.is_reaming();
-    if !by_handbook {
-        return Ok(None);
-    }
     let stated = context.stated;
     let first = stated.conditions.get(at).and_then(|own| own.rows.first().copied());
-    let row = first.and_then(|first| Some((first, stated.rows.get(first)?.hole.as_ref()?)));
-    cut.reamer_follows = row.is_some_and(|(first, hole)| stated.reamer_follows(&hole.value, first));
+    let Some((first, row)) = first.and_then(|first| Some((first, stated.rows.get(first)?))) else { return Ok(None) };
+    let reamed = row.hole.as_ref().is_some_and(|hole| stated.reamer_follows(&hole.value, first));
+    if reamed || !matches!(row.operation.value, Operation::Drill | Operation::DrillOut) {
+        return Ok(None);
+    }
+    let Some(cut) = handbook::cut(context, at)? else { return Ok(None) };
     let feed = Refusal::split(cutting::handbook::feed(&cut, &context.shop))?;
     Ok(feed.ok().map(|(feed, _)| feed.0))
 }

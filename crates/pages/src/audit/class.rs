@@ -100,7 +100,8 @@ fn grade(audit: &Audit, marked: bool, lang: Lang) -> Vec<String> {
             let missing = marks.missing.iter().filter(|_| section == Section::Missing).map(|one| one.points);
             // A sum of tenths has no more places than its parts.
             let taken: f64 = by_findings.chain(missing).sum();
-            row.push(((taken * 1000.0).round() / 1000.0).to_string());
+            let taken = (taken * 1000.0).round() / 1000.0;
+            row.push(if taken > 0.0 { taken.to_string() } else { "0".to_owned() });
         }
     }
     row.push(String::new());

@@ -46,6 +46,15 @@ pub fn page(audit: &Audit, lang: Lang) -> Document {
     page
 }
 
+/// The place of the book without the lines of the extract that we read, which no student has.
+fn without_lines(source: &str, lang: Lang) -> String {
+    let begins = lang.word("audit-sheet-lines").trim_matches('"');
+    match source.split_once(begins).map(|(before, rest)| (before, rest.split_once(')'))) {
+        Some((before, Some((_, after)))) => format!("{}{after}", before.trim_end_matches([' ', '('])),
+        _ => source.to_owned(),
+    }
+}
+
 /// Why, and how much else is wrong because of it.
 fn details(root: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
     let mut lines = Vec::new();
@@ -53,7 +62,7 @@ fn details(root: &AuditFinding, audit: &Audit, lang: Lang) -> Vec<String> {
         lines.push(figure(&symbols::written(&root.formula, lang), lang));
     }
     lines.extend(root.mistake.iter().map(|mistake| lang.say(mistake)));
-    lines.extend(root.source.iter().map(|source| lang.say(source)));
+    lines.extend(root.source.iter().map(|source| without_lines(&lang.say(source), lang)));
     let follow = audit.findings.iter().filter(|one| one.follows_from.contains(&root.field)).count();
     if follow > 0 {
         lines.push(say!(lang, "audit-sheet-follow", count = follow));

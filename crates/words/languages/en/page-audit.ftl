@@ -271,3 +271,4 @@ audit-sheet-follow = { $count ->
 }
 audit-sheets-format = the sheets of the students are pages: `--format html` or `--format markdown`
 audit-sheets-format-help = add `--format html`; the grade book is another run with `--format csv` or `xlsx`
+audit-sheet-lines = (lines

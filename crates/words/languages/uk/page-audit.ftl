@@ -259,3 +259,4 @@ audit-sheet-follow = { $count ->
 }
 audit-sheets-format = аркуші студентам – це сторінки: `--format html` або `--format markdown`
 audit-sheets-format-help = додайте `--format html`; відомість оцінок – це інший запуск, з `--format csv` або `xlsx`
+audit-sheet-lines = (рядки
