@@ -34,6 +34,7 @@ pub use technolog_nc::program;
 pub use technolog_office as office;
 pub use technolog_pages as report;
 pub use technolog_proof as proof;
+pub use technolog_sheets as sheets;
 pub use technolog_shipped as shipped;
 pub use technolog_tables as tables;
 pub use technolog_turning as turning;

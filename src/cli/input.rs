@@ -26,6 +26,17 @@ impl Context {
         if is_opened(path) { read(path, self) } else { text_in_folder(path, self) }
     }
 
+    /// The bytes of a file from the command line, or of one in a folder.
+    ///
+    /// # Errors
+    /// It cannot be read, is too large, or not a file.
+    pub fn bytes(&self, path: &Path) -> Result<Vec<u8>, CliError> {
+        if !is_opened(path) && !is_regular(path) {
+            return Err(irregular(path, self));
+        }
+        bytes(path, self)
+    }
+
     /// Remembers an input file of the answer.
     pub fn uses(&self, path: &Path) {
         self.inputs.0.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
@@ -49,9 +60,13 @@ impl Context {
 }
 
 fn read(path: &Path, context: &Context) -> Result<String, CliError> {
+    Ok(text_of(&path.display().to_string(), bytes(path, context)?)?)
+}
+
+fn bytes(path: &Path, context: &Context) -> Result<Vec<u8>, CliError> {
     let shown = path.display().to_string();
     let bytes = File::open(path).and_then(bytes_of).map_err(|error| unreadable(&shown, &error, context.lang))?;
-    Ok(text_of(&shown, bytes.ok_or_else(|| too_large(&shown))?)?)
+    Ok(bytes.ok_or_else(|| too_large(&shown))?)
 }
 
 /// The text of a file in a folder; it is not remembered, because it may be any file.

@@ -46,6 +46,7 @@ use serde::Serialize;
 use technolog::document::{self, Document};
 use technolog::error::KnowledgeError;
 use technolog::knowledge::Diagnostic;
+use technolog::sheets;
 use technolog::words::say;
 
 use diagnostics::{Amount, Texts};
@@ -237,6 +238,25 @@ impl Context {
     pub fn emit_files(&self, files: &[(Option<&Path>, impl AsRef<[u8]>)]) -> Result<(), CliError> {
         files.iter().try_for_each(|(file, _)| self.spare_inputs(*file))?;
         output::write_all(files, self.lang)
+    }
+
+    /// Writes tables as a workbook.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn emit_workbook(&self, tables: &[sheets::Sheet]) -> Result<(), CliError> {
+        self.spare_inputs()?;
+        let book = sheets::xlsx(tables).map_err(|error| output::unprintable(self.lang, error))?;
+        output::write(&book, self.output.as_deref(), self.lang)
+    }
+
+    /// Writes tables as text for programs for tables, with the decimal sign of the language.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn emit_separated(&self, tables: &[sheets::Sheet]) -> Result<(), CliError> {
+        let sign = if self.lang.find("decimal-comma").is_some() { ',' } else { '.' };
+        self.emit(&sheets::csv(tables, sign))
     }
 
     /// Writes an answer that no page writer made, without invisible characters.

@@ -42,8 +42,16 @@ impl Method {
 }
 
 /// The formats of a plan.
-pub const FORMATS: &[Format] =
-    &[Format::Text, Format::Markdown, Format::Html, Format::Json, Format::Yaml, Format::Hand];
+pub const FORMATS: &[Format] = &[
+    Format::Text,
+    Format::Markdown,
+    Format::Html,
+    Format::Json,
+    Format::Yaml,
+    Format::Hand,
+    Format::Csv,
+    Format::Xlsx,
+];
 
 /// The formats of an explanation.
 pub const EXPLAIN_FORMATS: &[Format] = &[Format::Text, Format::Markdown, Format::Html, Format::Json];
@@ -67,6 +75,14 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         Format::Json => context.emit_json(&*plan)?,
         Format::Yaml => context.emit_yaml(&*plan)?,
         Format::Hand => context.emit_cleaned(&audit::by_hand(&plan, &context.beside_answer(&args.part)))?,
+        Format::Csv => {
+            let tables = audit::by_tables(&plan, &context.beside_answer(&args.part), context.lang);
+            context.emit_separated(&tables)?;
+        }
+        Format::Xlsx => {
+            let tables = audit::by_tables(&plan, &context.beside_answer(&args.part), context.lang);
+            context.emit_workbook(&tables)?;
+        }
         _ => context
             .emit_document(&report::sheet::page(&plan, knowledge, context.amount.doubts(), context.lang), format)?,
     }

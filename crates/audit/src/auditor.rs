@@ -7,6 +7,7 @@ use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::memo::Memo;
 use crate::motion::MotionStep;
+use crate::part::Part;
 use crate::plan::Plan;
 use crate::planner;
 use crate::program::{Fault, Language, Setting};
@@ -14,11 +15,11 @@ use crate::tables::audit::Mistakes;
 use crate::tables::holders::HolderRow;
 use crate::tooling::named::{self, NamedCutter};
 
-use super::finding::Audit;
+use super::finding::{Audit, AuditFinding};
 use super::near::Names;
 use super::stated::{Program, Stated};
 use super::tolerance::Tolerances;
-use super::{checks, context, coverage, figures, graph, mistakes, rules};
+use super::{checks, context, coverage, figures, graph, mistakes, rules, unsaid};
 
 /// Audits plans, one after the other or many at once.
 #[derive(Debug)]
@@ -72,6 +73,11 @@ impl<'k> Auditor<'k> {
 
     /// The program's own plan of the same part by the same method.
     pub(super) fn own_plan(&self, stated: &Stated) -> Result<Arc<Plan>, KnowledgeError> {
+        // A part that is made of a list has no holes of its own: nothing is compared with a plan of ours.
+        if stated.unsaid.is_some() {
+            let part = Part { holes: Vec::new(), ..stated.part.clone() };
+            return planner::plan(&part, stated.method, self.knowledge).map(Arc::new);
+        }
         let plan = || planner::plan(&stated.part, stated.method, self.knowledge).map(Arc::new);
         // A part that cannot be serialised cannot be compared with another, so it is planned separately.
         match serde_json::to_string(&(&stated.part, stated.method)) {
@@ -103,7 +109,9 @@ impl<'k> Auditor<'k> {
             graph.replace(formula);
         }
         let mut findings = figures::findings(&context, &graph);
+        findings.extend(stated.remarks.iter().map(AuditFinding::of_remark));
         checks::all(&context, &graph, &mut findings)?;
+        unsaid::leave_out(stated, self.knowledge, &mut findings)?;
         Ok(Audit::new(stated, coverage::of(stated, self.knowledge)?, findings))
     }
 

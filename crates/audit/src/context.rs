@@ -145,7 +145,8 @@ impl<'a> Context<'a> {
 
     /// As `reference`, but of any diameter.
     pub fn same_transition(&self, row: usize) -> Option<&'a Transition> {
-        let own = self.stated.rows.get(row)?;
+        // Of a part that is made of a list nothing is known that the list does not say.
+        let own = self.stated.rows.get(row).filter(|_| self.stated.unsaid.is_none())?;
         let name = &own.hole.as_ref()?.value;
         let hole = self.plan.holes.iter().find(|hole| hole.name == *name)?;
         if self.stated.is_own {

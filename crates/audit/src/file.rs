@@ -37,6 +37,12 @@ forms! {
     pub struct PlanFile {
         /// Name of the plan.
         pub plan: Option<Name>,
+        /// Whose work it is; else as the name of the file says: `Коваль_ТМ-31_7.yaml`.
+        pub student: Option<Name>,
+        /// The group of the student.
+        pub group: Option<Name>,
+        /// The variant of the task.
+        pub variant: Option<Name>,
         /// The part: a path relative to this file, or the part itself.
         pub part: PartOrPath,
         /// By which method the conditions were found: by formula unless said.

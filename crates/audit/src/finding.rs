@@ -14,7 +14,7 @@ use super::coverage::Coverage;
 use super::graph::Rule;
 use super::marks::Marks;
 use super::quantity::{Id, Quantity, Scope};
-use super::stated::Stated;
+use super::stated::{Author, Remark, Stated};
 
 /// What an audit found.
 #[derive(Clone, Debug, Serialize)]
@@ -23,6 +23,9 @@ pub struct Audit {
     pub plan: String,
     /// Its file.
     pub file: String,
+    /// Whose work it is, where the plan says so.
+    #[serde(flatten)]
+    pub author: Author,
     /// How many findings of each severity, in all and by section.
     pub summary: Summary,
     /// The findings by section, the most severe first.
@@ -278,6 +281,16 @@ impl AuditFinding {
         }
     }
 
+    /// What is to be said of how a plan is written.
+    pub(super) fn of_remark(remark: &Remark) -> Self {
+        let (quantity, stated) = remark.figure.clone().unzip();
+        let field = quantity.map_or_else(|| "table".to_owned(), |quantity| quantity.key().to_owned());
+        let mut finding = Self::new(remark.severity, remark.section, field, remark.note.clone()).at(&remark.place);
+        finding.quantity = quantity;
+        finding.stated = stated;
+        finding
+    }
+
     /// Of that kind.
     #[must_use]
     pub(super) fn of_kind(mut self, kind: FindingKind) -> Self {
@@ -334,7 +347,8 @@ impl Audit {
             summary.all.add(finding);
             summary.sections.entry(finding.section).or_default().add(finding);
         }
-        Self { plan: stated.name.clone(), file: stated.file.clone(), summary, findings, coverage, marks: None }
+        let (plan, file, author) = (stated.name.clone(), stated.file.clone(), stated.author.clone());
+        Self { plan, file, author, summary, findings, coverage, marks: None }
     }
 
     /// The finding to look at first: the most severe one that follows from no other; among equals the first of the

@@ -14,7 +14,7 @@ use crate::plan::{CuttingMethod, Feature, Limit, Operation};
 use super::limits;
 use super::quantity::Quantity;
 use super::read::{MOST, number};
-use super::stated::{Clamping, Conditions, Figures, Row, Stated, StatedFigure, StatedValue, Text, Tool};
+use super::stated::{Author, Clamping, Conditions, Figures, Row, Stated, StatedFigure, StatedValue, Text, Tool};
 use super::tolerance::Tolerances;
 
 /// The fields read as a whole; all others are read with their places.
@@ -158,6 +158,10 @@ pub(super) fn read(
         program: None,
         times,
         changes: Some(changes),
+        author: Author::default(),
+        is_list: false,
+        unsaid: None,
+        remarks: Vec::new(),
     })
 }
 

@@ -1,16 +1,19 @@
 //! A plan as stated: what the file contains, how it is printed, and where; nothing else.
 
 use std::collections::BTreeMap;
-use technolog_note::note;
+use technolog_note::{Note, note};
 
 use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::{Diagnostic, Place};
 use crate::knowledge::yaml::Node;
+use crate::note::Severity;
 use crate::part::Part;
 use crate::plan::{CuttingMethod, Feature, Operation};
 use crate::tables::audit::PlanPart;
 
+use super::finding::Section;
 use super::quantity::{Id, Quantity, Scope};
+use super::sheet::Unsaid;
 
 /// A stated value with its place.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +75,43 @@ pub struct Stated {
     pub times: Figures,
     /// The numbers of the tools in the order of their changes, where the plan states it apart from the rows.
     pub changes: Option<Vec<u32>>,
+    /// Whose work it is, where the plan says so.
+    pub author: Author,
+    /// Whether it is a list of tools and nothing else.
+    pub is_list: bool,
+    /// What a list of tools does not say of its part, where the part is made of the list itself.
+    pub unsaid: Option<Unsaid>,
+    /// What is to be said of how it is written: figures that there cannot be, columns that were not read.
+    pub remarks: Vec<Remark>,
+}
+
+/// Whose work a plan is.
+#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
+pub struct Author {
+    /// The student.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub student: Option<String>,
+    /// The group.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub group: Option<String>,
+    /// The variant of the task.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub variant: Option<String>,
+}
+
+/// Something to be said of how a plan is written.
+#[derive(Clone, Debug)]
+pub struct Remark {
+    /// Where.
+    pub place: Place,
+    /// What.
+    pub note: Note,
+    /// How grave.
+    pub severity: Severity,
+    /// Where in the report.
+    pub section: Section,
+    /// The figure, with its text.
+    pub figure: Option<(Quantity, String)>,
 }
 
 impl Stated {

@@ -2,10 +2,12 @@
 //! consequences.
 
 pub mod against;
+pub mod class;
 mod counts;
 mod keys;
 pub mod many;
 mod marks;
+pub mod student;
 mod symbols;
 mod words;
 

@@ -96,6 +96,16 @@ vocabulary! {
         Tool = "tool",
     }
 
+    /// What must be known of the part of a list of tools for a rule to judge it.
+    pub enum Need {
+        /// Nothing: the list is enough.
+        Nothing = "nothing",
+        /// The material.
+        Material = "material",
+        /// The machine.
+        Machine = "machine",
+    }
+
     /// How a load compares with the formula.
     pub enum Judgement {
         /// Too low.
@@ -188,6 +198,12 @@ rows! {
     pub struct AuditShares of One("audit-shares") complete part {
         part: PlanPart,
         of_points: Percent,
+    }
+
+    /// The rules that judge a list of tools without a part.
+    pub struct AuditNeeds of One("audit-needs") {
+        rule: &'t str,
+        needs: Need,
     }
 
     /// The usual ways to get a formula wrong.

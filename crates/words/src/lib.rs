@@ -102,6 +102,11 @@ impl Lang {
         self.plain(key, None)
     }
 
+    /// Another form of a message without figures, if there is one: `also` of a column.
+    pub fn find_form(self, key: &str, form: &str) -> Option<&'static str> {
+        self.plain(key, Some(form))
+    }
+
     /// A word of a vocabulary; its id where it has no translation, as designations have none.
     pub fn term<'i>(self, vocabulary: &str, id: &'i str) -> &'i str {
         self.plain(&format!("{vocabulary}-{id}"), None).unwrap_or(id)
@@ -290,7 +295,8 @@ fn is_designation_of_part(name: &str) -> bool {
 /// Whether the messages of a file are words of pages and commands, not sentences of notes.
 fn is_wording(file: &str) -> bool {
     file.starts_with("page-")
-        || ["cli", "general", "help", "operations", "terms", "units"].contains(&file.trim_end_matches(".ftl"))
+        || ["cli", "columns", "general", "help", "operations", "terms", "units"]
+            .contains(&file.trim_end_matches(".ftl"))
 }
 
 /// The text of a message in a language, with or without figures: `say!(lang, "holes-counted", count = 5)`.

@@ -6,10 +6,13 @@ use std::path::Path;
 use technolog::audit::marks::{MarkingScheme, read_scheme};
 use technolog::audit::rules;
 use technolog::audit::stated::Stated;
-use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan};
+use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan_of, read_table};
 use technolog::cases::FileKind;
 use technolog::error::KnowledgeError;
+use technolog::knowledge::{Diagnostic, Place};
+use technolog::part::{Part, read_part};
 use technolog::report::Lang;
+use technolog::sheets;
 
 use super::super::diagnostics::Texts;
 use super::super::input::{self, FileRoots};
@@ -19,11 +22,65 @@ use super::super::{CliError, Context, kind};
 ///
 /// # Errors
 /// Every mistake of the file.
-pub fn read(path: &Path, auditor: &Auditor<'_>, places: FileRoots<'_>, context: &Context) -> Result<Stated, CliError> {
+pub fn read(
+    path: &Path,
+    part: Option<&Part>,
+    auditor: &Auditor<'_>,
+    places: FileRoots<'_>,
+    context: &Context,
+) -> Result<Stated, CliError> {
+    if let Some(kind) = table_kind(path) {
+        context.uses(path);
+        return read_tables(path, kind, part, auditor, places, context);
+    }
     let shown = path.display().to_string();
     let text = context.text(path)?;
-    let stated = read_plan(&shown, &text, auditor.knowledge, &|name: &str| places.text(path, name, context));
+    let stated = read_plan_of(&shown, &text, part, auditor.knowledge, &|name: &str| places.text(path, name, context));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable, context))
+}
+
+/// The form of a file of tables, by its name.
+pub fn table_kind(path: &Path) -> Option<sheets::Kind> {
+    sheets::Kind::of(&path.to_string_lossy())
+}
+
+/// A plan or a list of tools as tables of CSV or XLSX.
+fn read_tables(
+    path: &Path,
+    kind: sheets::Kind,
+    part: Option<&Part>,
+    auditor: &Auditor<'_>,
+    places: FileRoots<'_>,
+    context: &Context,
+) -> Result<Stated, CliError> {
+    let shown = path.display().to_string();
+    let tables = sheets::read(kind, &context.bytes(path)?).map_err(|error| {
+        let place = Place { file: shown.as_str().into(), line: 1, column: 1, width: 1 };
+        CliError::from(Diagnostic::error("unreadable", error.message, place).help(error.help))
+    })?;
+    let stated = read_table(&shown, &tables, part, auditor.knowledge, &|name: &str| places.text(path, name, context));
+    stated.map_err(|unreadable| {
+        let Unreadable { problems, texts } = unreadable;
+        let mut known = Texts::default();
+        for (name, text) in texts {
+            let path = folder_of(path).join(&name).display().to_string();
+            known = known.with(&name, path, Cow::Owned(text));
+        }
+        CliError::Unusable { problems, texts: known }
+    })
+}
+
+/// The part that the command line names.
+///
+/// # Errors
+/// Every mistake of its file.
+pub fn part(path: &Path, auditor: &Auditor<'_>, context: &Context) -> Result<Part, CliError> {
+    let shown = path.display().to_string();
+    let text = context.text(path)?;
+    read_part(&shown, &text, auditor.knowledge).map_err(|problems| CliError::Unusable {
+        problems: kind::or_other(&shown, &text, FileKind::Part, problems, context),
+        texts: Texts::default().with(&shown, shown.clone(), Cow::Owned(text)),
+    })
 }
 
 /// A file of a folder: none where it is no plan.
@@ -36,6 +93,15 @@ pub fn read_any(
     places: FileRoots<'_>,
     context: &Context,
 ) -> Result<Option<Stated>, CliError> {
+    if let Some(kind) = table_kind(path) {
+        // Any other table of the folder is no plan.
+        return match read_tables(path, kind, None, auditor, places, context) {
+            Err(CliError::Unusable { problems, .. }) if problems.iter().any(|problem| problem.code == "no-head") => {
+                Ok(None)
+            }
+            stated => stated.map(Some),
+        };
+    }
     let shown = path.display().to_string();
     let text = input::text_in_folder(path, context)?;
     let stated = read_if_plan(&shown, &text, auditor.knowledge, &|name: &str| places.text(path, name, context));

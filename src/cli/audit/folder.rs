@@ -7,6 +7,7 @@ use technolog::audit::marks::MarkingScheme;
 use technolog::audit::{Audited, Auditor, Unread};
 use technolog::document::cleaned;
 use technolog::knowledge::Diagnostic;
+use technolog::sheets::{Row, Sheet};
 use technolog::words::say;
 use technolog::{parallel, report};
 
@@ -23,15 +24,30 @@ enum FolderItem {
     NoPlan,
 }
 
+/// The formats of a folder: the last two are the grade book.
+pub const FORMATS: &[Format] =
+    &[Format::Text, Format::Json, Format::Yaml, Format::Markdown, Format::Html, Format::Csv, Format::Xlsx];
+
+/// What is asked of a folder.
+#[derive(Clone, Copy)]
+pub struct Asked<'a> {
+    /// The folder.
+    pub folder: &'a Path,
+    /// The format of the answer.
+    pub format: Format,
+    /// The marking scheme.
+    pub scheme: Option<&'a MarkingScheme>,
+    /// Where the sheets of the students are written.
+    pub sheets: Option<&'a Path>,
+}
+
 /// Audits every plan of a folder and of the folders in it, in the order of their names.
 ///
 /// # Errors
 /// The folder cannot be read, or has no plan; or a plan cannot be read, which the table has reported.
 pub fn run(
-    folder: &Path,
-    format: Format,
+    &Asked { folder, format, scheme, sheets }: &Asked<'_>,
     auditor: &Auditor<'_>,
-    scheme: Option<&MarkingScheme>,
     places: FileRoots<'_>,
     context: &Context,
 ) -> Result<Outcome, CliError> {
@@ -58,16 +74,62 @@ pub fn run(
         let message = say!(context.lang, "audit-no-plans", folder = folder.display().to_string());
         return Err(Diagnostic::error("no-plans", message, None).help(context.word("audit-what-is-a-plan")).into());
     }
+    let sheets = sheets.map(|folder| write_sheets(folder, format, &audited, context)).transpose()?.unwrap_or_default();
     match format {
+        Format::Csv => context.emit_separated(&grade_book(&audited, context))?,
+        Format::Xlsx => context.emit_workbook(&grade_book(&audited, context))?,
         Format::Json => context.emit_json(&audited)?,
         Format::Yaml => context.emit_yaml(&audited)?,
-        _ => context.emit_document(&report::audit::many::page(&audited, context.lang), format)?,
+        _ => context.emit_document(&report::audit::many::page(&audited, &sheets, context.lang), format)?,
     }
     if audited.iter().any(|one| one.audit().is_none()) {
         return Err(CliError::Shown);
     }
     let wrong = audited.iter().filter_map(Audited::audit).any(technolog::audit::Audit::has_errors);
     Ok(if wrong { Outcome::Findings } else { Outcome::Done })
+}
+
+/// The grade book as tables.
+fn grade_book(audited: &[Audited], context: &Context) -> Vec<Sheet> {
+    let tables = report::audit::class::grade_book(audited, context.lang).into_iter();
+    let rows = |rows: Vec<Vec<String>>| (1..).zip(rows).map(|(line, cells)| Row { line, cells }).collect();
+    tables.map(|table| Sheet { name: table.name, rows: rows(table.rows) }).collect()
+}
+
+/// Writes a sheet for each work that could be read; their paths from the page, in the order of the works.
+fn write_sheets(
+    folder: &Path,
+    format: Format,
+    audited: &[Audited],
+    context: &Context,
+) -> Result<Vec<String>, CliError> {
+    let (Format::Html | Format::Markdown) = format else {
+        let message = say!(context.lang, "audit-sheets-format");
+        return Err(Diagnostic::error("sheets-format", message, None)
+            .help(context.word("audit-sheets-format-help"))
+            .into());
+    };
+    std::fs::create_dir_all(folder).map_err(|error| {
+        let error = of_system(&error, context.lang);
+        let message = say!(context.lang, "cli-cannot-write", path = folder.display().to_string(), error = error);
+        CliError::from(Diagnostic::error("unwritable", message, None))
+    })?;
+    let ending = format.endings().first().copied().unwrap_or_default();
+    let mut paths = Vec::new();
+    for (at, one) in audited.iter().enumerate() {
+        let Some(audit) = one.audit() else {
+            paths.push(String::new());
+            continue;
+        };
+        // The number keeps works of one name apart.
+        let stem =
+            Path::new(&audit.file).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        let path = folder.join(format!("{:03}-{stem}{ending}", at + 1));
+        let page = context.written(&report::audit::student::page(audit, context.lang), format);
+        output::write(page.as_bytes(), Some(&path), context.lang)?;
+        paths.push(context.beside_answer(&path));
+    }
+    Ok(paths)
 }
 
 fn audit_file(
@@ -121,7 +183,9 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>, barred: &mut Vec<(PathBuf, i
             if let Err(error) = collect(&path, files, barred) {
                 barred.push((path, error));
             }
-        } else if path.extension().is_some_and(|kind| ["yaml", "yml", "json"].iter().any(|known| kind == *known)) {
+        } else if path.extension().is_some_and(|kind| {
+            ["yaml", "yml", "json", "csv", "tsv", "xlsx", "xlsm"].iter().any(|known| kind == *known)
+        }) {
             files.push(path);
         }
     }

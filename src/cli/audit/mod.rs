@@ -19,8 +19,12 @@ pub struct Args {
     plan: PathBuf,
     #[arg(long, value_name = "PLAN.yaml")]
     against: Option<PathBuf>,
+    #[arg(long, value_name = "PART.yaml", conflicts_with = "against")]
+    part: Option<PathBuf>,
     #[arg(long, value_name = "FILE", conflicts_with = "against")]
     marks: Option<PathBuf>,
+    #[arg(long, value_name = "DIR", conflicts_with = "against")]
+    sheets: Option<PathBuf>,
     #[arg(long)]
     allow_outside: bool,
 }
@@ -34,7 +38,8 @@ pub const FORMATS: &[Format] = &[Format::Text, Format::Json, Format::Yaml, Forma
 /// The plan file cannot be used; all its mistakes are reported at once. For a folder: it has no plan, or some cannot
 /// be used, which its table reports.
 pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
-    let format = context.format("audit", FORMATS)?;
+    let formats = if args.plan.is_dir() { folder::FORMATS } else { FORMATS };
+    let format = context.format("audit", formats)?;
     let knowledge = knowledge::load(context)?;
     let auditor = Auditor::new(knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     let scheme = args.marks.as_deref().map(|path| file::scheme(path, context)).transpose()?;
@@ -44,12 +49,15 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             return Err(problem.help(context.word("audit-name-a-plan")).into());
         }
         let places = FileRoots { folder: Some(&args.plan), anywhere: args.allow_outside };
-        return folder::run(&args.plan, format, &auditor, scheme.as_ref(), places, context);
+        let asked =
+            folder::Asked { folder: &args.plan, format, scheme: scheme.as_ref(), sheets: args.sheets.as_deref() };
+        return folder::run(&asked, &auditor, places, context);
     }
     let places = FileRoots { folder: None, anywhere: args.allow_outside };
-    let stated = file::read(&args.plan, &auditor, places, context)?;
+    let part = args.part.as_deref().map(|path| file::part(path, &auditor, context)).transpose()?;
+    let stated = file::read(&args.plan, part.as_ref(), &auditor, places, context)?;
     if let Some(other) = &args.against {
-        let other = file::read(other, &auditor, places, context)?;
+        let other = file::read(other, None, &auditor, places, context)?;
         let compared = auditor.compare(&stated, &other);
         let compared = compared.map_err(|error| CliError::of_knowledge(&error, context.lang))?;
         match format {

@@ -161,3 +161,75 @@ fn a_thousand_plans() {
     println!("{time:?}: {}", text.lines().last().unwrap());
     assert!(text.contains(&format!("{plans} plans")), "{text}");
 }
+
+/// A class of five: two share three wrong figures that nobody else has, four the same usual mistake.
+fn class(name: &str) -> PathBuf {
+    let folder = folder(name);
+    let plans = folder.join("plans");
+    let right = right(&folder);
+    let slip = |text: &str, from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        text.replacen(from, to, 1)
+    };
+    let write = |name: &str, text: &str| fs::write(plans.join(name), text).unwrap();
+    write("Бойко_ТМ-31_1.yaml", &right);
+    let distance = slip(&right, "distance: 283", "distance: 2830");
+    write("Гнатюк_ТМ-31_2.yaml", &distance);
+    let shared = ["correction: -60.4", "minute_feed: 260", "overhang: 93"];
+    let copied = shared.iter().fold(distance.clone(), |text, from| {
+        let (key, value) = from.split_once(' ').unwrap();
+        slip(&text, from, &format!("{key} {}7", value.trim_end_matches(".4")))
+    });
+    write("Коваль_ТМ-31_3.yaml", &copied);
+    write("Мельник_ТМ-31_4.yaml", &format!("student: Мельник Іван\n{copied}"));
+    write("Ткач_ТМ-31_5.yaml", &distance);
+    folder
+}
+
+#[test]
+fn a_class_has_a_grade_book() {
+    let folder = class("audit-class");
+    let marks = root("examples/marks.yaml").display().to_string();
+    let (text, beside, code) =
+        command(&folder, &["audit", "plans", "--marks", &marks, "--format", "csv", "--lang", "uk"]);
+    assert_eq!((code, beside.as_str()), (1, ""));
+    let lines: Vec<Vec<&str>> =
+        text.trim_start_matches('\u{feff}').lines().map(|line| line.split(';').collect()).collect();
+    assert_eq!(lines[1][..4], ["студент", "група", "варіант", "Файл"]);
+    // None has a program, which costs its 20 points; a distance ten times too large costs 4.
+    let marks: Vec<(&str, &str, &str, &str)> = lines[2..7].iter().map(|row| (row[0], row[1], row[2], row[7])).collect();
+    assert_eq!(marks[0], ("Бойко", "ТМ-31", "1", "80"));
+    assert_eq!(marks[1], ("Гнатюк", "ТМ-31", "2", "76"));
+    assert_eq!(marks[3].0, "Мельник Іван");
+    // The whole class but one has the distance wrong; two works are alike, and nobody else.
+    assert!(text.contains("4;Гнатюк, Коваль, Мельник Іван, Ткач"), "{text}");
+    assert!(text.contains("Коваль;Мельник Іван;"), "{text}");
+    assert!(!text.contains("Гнатюк;Ткач;"), "{text}");
+    let (_, _, code) = command(&folder, &["audit", "plans", "--format", "xlsx", "-o", "grades.xlsx"]);
+    assert_eq!(code, 1);
+    let book =
+        technolog::sheets::read(technolog::sheets::Kind::Xlsx, &fs::read(folder.join("grades.xlsx")).unwrap()).unwrap();
+    assert_eq!(book.len(), 3);
+}
+
+#[test]
+fn each_student_has_a_sheet_that_says_nothing_of_others() {
+    let folder = class("audit-class-sheets");
+    let arguments = ["audit", "plans", "--format", "markdown", "--lang", "uk", "-o", "page.md", "--sheets", "sheets"];
+    let (_, beside, code) = command(&folder, &arguments);
+    assert_eq!((code, beside.as_str()), (1, ""));
+    let page = fs::read_to_string(folder.join("page.md")).unwrap();
+    assert!(page.contains("sheets/003-"), "{page}");
+    assert!(page.contains("Схожі роботи"), "{page}");
+    let mut sheets: Vec<PathBuf> =
+        fs::read_dir(folder.join("sheets")).unwrap().map(|one| one.unwrap().path()).collect();
+    sheets.sort();
+    let sheets: Vec<String> = sheets.iter().map(|path| fs::read_to_string(path).unwrap()).collect();
+    assert_eq!(sheets.len(), 5);
+    assert!(sheets.iter().all(|sheet| !sheet.contains("Схожі") && sheet.matches("Мельник").count() < 3));
+    assert!(!sheets[0].contains("хибно"), "{}", sheets[0]);
+    assert!(sheets[0].lines().count() < 30, "{}", sheets[0]);
+    insta::assert_snapshot!("audit-student-sheet", sheets[2].replace(&folder.display().to_string(), "…"));
+    let (_, beside, code) = command(&folder, &["audit", "plans", "--sheets", "sheets"]);
+    assert_eq!(code, 2, "{beside}");
+}

@@ -19,4 +19,5 @@ mod mutations;
 mod program;
 mod reader;
 mod routes;
+mod tables;
 mod words;

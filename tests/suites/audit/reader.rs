@@ -33,29 +33,32 @@ fn findings(text: &str) -> Vec<String> {
     found.into_iter().map(|one| format!("{:?} {} {}", one.severity, one.rule, one.field)).collect()
 }
 
+/// A figure that there cannot be is a slip of the author, told at its line; the rest of the plan is read and judged.
 #[test]
-fn a_figure_that_cannot_be_is_a_mistake_of_the_file() {
+fn a_figure_that_cannot_be_is_a_slip() {
     for (from, to, message) in [
-        ("depth: 40", "depth: -5", "`-5` cannot be the depth: it must not be below zero"),
-        ("count: 6", "count: -2", "`-2` cannot be the number of holes: it must be above zero"),
-        ("count: 6", "count: 0", "`0` cannot be the number of holes: it must be above zero"),
-        ("count: 6", "count: 2.5", "`2.5` cannot be the number of holes: it must be a whole number"),
-        ("    rpm: 800", "    rpm: 0", "`0` cannot be the spindle speed taken: it must be above zero"),
-        ("clamps: 2", "clamps: 0", "`0` cannot be the number of clamps: it must be above zero"),
-        ("corrector: 2", "corrector: 1.5", "`1.5` cannot be the offset register: it must be a whole number"),
-        ("feed: 0.325", "feed: -0.2", "`-0.2` cannot be the feed: it must be above zero"),
-        ("machine: ", "machine: -", "`-2.606` cannot be the machine time: it must not be below zero"),
-        ("distance: 283", "distance: 0", "`0` cannot be the distance to the clamp: it must be above zero"),
-        ("depth: 40", "depth: ７.9", "`７.9` is not a number"),
+        ("depth: 40", "depth: -5", "-5 cannot be the depth: it must not be below zero"),
+        ("count: 6", "count: -2", "-2 cannot be the number of holes: it must be above zero"),
+        ("count: 6", "count: 0", "0 cannot be the number of holes: it must be above zero"),
+        ("count: 6", "count: 2.5", "2.5 cannot be the number of holes: it must be a whole number"),
+        ("    rpm: 800", "    rpm: 0", "0 cannot be the spindle speed taken: it must be above zero"),
+        ("clamps: 2", "clamps: 0", "0 cannot be the number of clamps: it must be above zero"),
+        ("corrector: 2", "corrector: 1.5", "1.5 cannot be the offset register: it must be a whole number"),
+        ("feed: 0.325", "feed: -0.2", "-0.2 cannot be the feed: it must be above zero"),
+        ("machine: ", "machine: -", "-2.606 cannot be the machine time: it must not be below zero"),
+        ("distance: 283", "distance: 0", "0 cannot be the distance to the clamp: it must be above zero"),
     ] {
         let text = with(from, to);
         let line = right().lines().zip(text.lines()).position(|(a, b)| a != b).unwrap() + 1;
-        let problems = read(&text).err().unwrap_or_else(|| panic!("`{to}` is read")).problems;
-        let [problem] = problems.as_slice() else { panic!("{to}: {problems:?}") };
-        assert_eq!(Lang::EN.say(&problem.message), message);
-        assert_eq!(problem.place.as_ref().unwrap().line as usize, line, "{to}");
-        assert!(problem.help.is_some(), "{to}");
+        let stated = read(&text).unwrap_or_else(|why| panic!("`{to}`: {why:?}"));
+        let [remark] = stated.remarks.as_slice() else { panic!("{to}: {:?}", stated.remarks) };
+        assert_eq!(Lang::EN.say(&remark.note), message);
+        assert_eq!((remark.place.line as usize, remark.severity), (line, Severity::Wrong), "{to}");
     }
+    let problems = read(&with("depth: 40", "depth: ７.9")).err().unwrap().problems;
+    let [problem] = problems.as_slice() else { panic!("{problems:?}") };
+    assert_eq!(Lang::EN.say(&problem.message), "`７.9` is not a number");
+    assert!(problem.help.is_some());
 }
 
 /// What the reader of parts refuses is refused of the part in a stored plan, too.

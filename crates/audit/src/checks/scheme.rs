@@ -86,12 +86,21 @@ impl Group<'_, '_> {
     }
 
     fn finding(&self, severity: Severity, row: &Row, key: &str, note: Note) -> AuditFinding {
+        self.finding_of(severity, row, key, note, (&self.route.scheme, &self.route.table))
+    }
+
+    /// A finding that names another scheme than that of the program's route.
+    fn finding_of(
+        &self,
+        severity: Severity,
+        row: &Row,
+        key: &str,
+        note: Note,
+        (scheme, table): (&str, &str),
+    ) -> AuditFinding {
         let stated = if key == "table" { &row.table } else { &row.scheme };
         let place = stated.as_ref().map_or(&row.place, |text| &text.place);
-        let note = note
-            .with("way", way(self.route.source))
-            .with("scheme", Figure::scheme(&self.route.scheme))
-            .with("table", &self.route.table);
+        let note = note.with("way", way(self.route.source)).with("scheme", Figure::scheme(scheme)).with("table", table);
         let finding =
             AuditFinding::new(severity, Section::Route, format!("route.{}.{key}", row.number), note).at(place);
         finding.about(hole_subject(self.hole)).resting_on(self.route.because.iter().take(3).cloned())
@@ -119,7 +128,7 @@ impl Group<'_, '_> {
             } else if self.printed(name) && self.answer.centred && (self.centres() || !self.is_whole()) {
                 // Written as its table prints it, and carried out with the centring that the text asks for.
             } else if self.printed(name) && self.answer.centred {
-                findings.push(self.uncentred(row, name));
+                findings.push(self.uncentred(row, name)?);
                 let of_scheme = table_answer::transitions(&full(name), &self.context.shop)?;
                 judged &= !self.is_ours() && of_scheme.is_none_or(|own| main(&own) != main(&self.stated()));
             } else if !self.printed(name) {
@@ -146,17 +155,19 @@ impl Group<'_, '_> {
         Ok(uncentred && same_scheme(&table_answer::centred(&full(stated), &self.context.shop)?, own))
     }
 
-    /// The cell has the scheme, but the hole is centred first: by the text, or only by the program's reading of it.
-    fn uncentred(&self, row: &Row, name: &str) -> AuditFinding {
+    /// The cell has the scheme, but the hole is centred first: by the text, or only by the program's reading of it. Right is the form of
+    /// that scheme with its centring, whatever the program's route is.
+    fn uncentred(&self, row: &Row, name: &str) -> Result<AuditFinding, KnowledgeError> {
         let by_text = self.answer.centring.source == Some(Source::Seed);
         let severity = if by_text { Severity::Wrong } else { Severity::Doubtful };
         let printed = self.answer.row.map_or_else(String::new, |row| row.table.id.clone());
         let note = Note::new("audit-scheme-uncentred").with("stated", name).with("printed", printed);
-        let mut finding = self.finding(severity, row, "scheme", note).with_values(name, &self.route.scheme);
+        let centred = table_answer::centred(&full(name), &self.context.shop)?;
+        let mut finding = self.finding_of(severity, row, "scheme", note, (&centred, "A.7")).with_values(name, &centred);
         finding.because.clear();
         finding.because.extend(self.answer.row.map(|row| Because::row(row, Note::new("named"))));
         finding.because.push(self.answer.centring.clone());
-        finding
+        Ok(finding)
     }
 
     /// Checks every table that a row names with its scheme.
@@ -294,7 +305,11 @@ impl Group<'_, '_> {
                 continue;
             }
             let given = table_answer::transitions(&full(own), &self.context.shop)?;
-            if given.is_some_and(|given| main(&given) == drilled_once(&main(stated))) {
+            let own = drilled_once(&main(stated));
+            // A centring that the scheme does not ask for makes no hole worse.
+            let more = own.split_first().filter(|(first, _)| **first == Operation::CentreDrill).map(|(_, rest)| rest);
+            let is = |given: Vec<Operation>| main(&given) == own || more.is_some_and(|rest| main(&given) == rest);
+            if given.is_some_and(is) {
                 return Ok(Some("A.7"));
             }
         }

@@ -10,6 +10,7 @@ use crate::units::Micrometres;
 
 use super::Reader;
 use crate::audit::file::{self, Card, Factors};
+use crate::audit::finding::Section;
 use crate::audit::limits;
 use crate::audit::quantity::Quantity;
 use crate::audit::stated::{Clamping, Conditions, Factor, Row, StatedValue};
@@ -44,10 +45,10 @@ impl Reader<'_> {
         let card = fields.take(file::Conditions::card);
         let factors_node = fields.take(file::Conditions::factors);
         let limited_by = fields.take(file::Conditions::limited_by).and_then(|node| self.choice(node, &Limit::NAMES));
-        let mut figures = self.figures(&mut fields);
+        let mut figures = self.figures(Section::Conditions, &mut fields);
         fields.finish(&mut self.problems);
         if let Some(mut fields) = card.and_then(|node| self.problems.map::<Card>(node)) {
-            figures.extend(self.figures_under("card.", &mut fields));
+            figures.extend(self.figures_under(Section::Conditions, "card.", &mut fields));
             fields.finish(&mut self.problems);
         }
         let mut factors = BTreeMap::new();
@@ -125,7 +126,7 @@ impl Reader<'_> {
         let designation = self.text_of(&mut fields, file::Clamping::designation);
         let standard = self.text_of(&mut fields, file::Clamping::standard);
         let force = fields.take(file::Clamping::force).and_then(|node| self.figure(node));
-        let mut figures = self.figures(&mut fields);
+        let mut figures = self.figures(Section::Clamping, &mut fields);
         figures.extend(force.map(|force| (Quantity::ClampForce, force)));
         fields.finish(&mut self.problems);
         Some(Clamping { place: node.place.clone(), row, hole, screw, designation, standard, at, figures })

@@ -2,11 +2,13 @@
 
 use crate::knowledge::form::Form;
 use crate::knowledge::yaml::{Fields, Node};
+use crate::note::Severity;
 use technolog_note::note;
 
 use super::Reader;
+use crate::audit::finding::Section;
 use crate::audit::quantity::Quantity;
-use crate::audit::stated::{Figures, StatedFigure};
+use crate::audit::stated::{Figures, Remark, StatedFigure};
 use crate::audit::tolerance::Range;
 
 /// The largest figure of a plan, in its unit: above it sums are not exact.
@@ -14,48 +16,50 @@ pub(crate) const MOST: f64 = 1e9;
 
 impl Reader<'_> {
     /// The fields not yet taken that are figures.
-    pub(super) fn figures<F: Form>(&mut self, fields: &mut Fields<'_, F>) -> Figures {
-        self.figures_under("", fields)
+    pub(super) fn figures<F: Form>(&mut self, section: Section, fields: &mut Fields<'_, F>) -> Figures {
+        self.figures_under(section, "", fields)
     }
 
     /// The same where the keys of the quantities have a prefix: `card.`.
-    pub(super) fn figures_under<F: Form>(&mut self, prefix: &str, fields: &mut Fields<'_, F>) -> Figures {
+    pub(super) fn figures_under<F: Form>(
+        &mut self,
+        section: Section,
+        prefix: &str,
+        fields: &mut Fields<'_, F>,
+    ) -> Figures {
         let mut figures = Figures::new();
         for key in F::KEYS {
             let Some(quantity) = Quantity::of_key(&format!("{prefix}{}", key.name())) else { continue };
             let Some(node) = fields.take_once(*key) else { continue };
             // Clamping and conditions both have a force; both are in one range of quantities.
-            figures
-                .extend(self.figure(node).and_then(|figure| self.possible(quantity, figure)).map(|it| (quantity, it)));
+            let figure = self.figure(node).and_then(|figure| self.possible(section, quantity, figure));
+            figures.extend(figure.map(|it| (quantity, it)));
         }
         figures
     }
 
-    /// A figure within the range of its quantity, by the table `audit-tolerance`.
-    fn possible(&mut self, quantity: Quantity, figure: StatedFigure) -> Option<StatedFigure> {
-        let (name, text) =
-            (technolog_note::Figure::word_of("quantity", quantity.key().replace('.', "-")), &figure.text);
+    /// A figure within the range of its quantity, by the table `audit-tolerance`. One that there cannot be is a slip of the author: a sign
+    /// too much is left out, of anything else nothing is computed.
+    fn possible(&mut self, section: Section, quantity: Quantity, figure: StatedFigure) -> Option<StatedFigure> {
         let range = self.tolerances.range(quantity);
-        let (message, help) = if !range.holds(figure.value) && figure.value < 0.0 {
-            let must = if range == Range::Positive {
-                note!("planfile-must-above-zero")
-            } else {
-                note!("planfile-must-below-zero")
-            };
-            (
-                note!("planfile-cannot", text = text, name = name, must = must),
-                note!("planfile-write-without-sign-only-corrections"),
-            )
-        } else if !range.holds(figure.value) {
-            let must = note!("planfile-must-above-zero");
-            (note!("planfile-cannot", text = text, name = name, must = must), note!("planfile-leave-out-what-known"))
-        } else if self.tolerances.is_whole_number(quantity) && libm::trunc(figure.value) != figure.value {
-            let must = note!("planfile-must-whole-number");
-            (note!("planfile-cannot", text = text, name = name, must = must), note!("planfile-write-without-decimals"))
-        } else {
+        let is_whole = |value: f64| !self.tolerances.is_whole_number(quantity) || libm::trunc(value) == value;
+        if range.holds(figure.value) && is_whole(figure.value) {
             return Some(figure);
+        }
+        let must = if range.holds(figure.value) {
+            note!("planfile-must-whole-number")
+        } else if range == Range::Positive {
+            note!("planfile-must-above-zero")
+        } else {
+            note!("planfile-must-below-zero")
         };
-        self.problems.error_help("out-of-range", message, &figure.place, help)
+        let name = technolog_note::Figure::word_of("quantity", quantity.key().replace('.', "-"));
+        let note = note!("audit-impossible", text = figure.text, name = name, must = must);
+        let figure_of = Some((quantity, figure.text.clone()));
+        let place = figure.place.clone();
+        self.remarks.push(Remark { place, note, severity: Severity::Wrong, section, figure: figure_of });
+        let (value, text) = (-figure.value, figure.text.trim_start_matches(['-', '−']).to_owned());
+        (range.holds(value) && is_whole(value)).then_some(StatedFigure { value, text, ..figure })
     }
 
     /// One number.

@@ -15,9 +15,12 @@ use crate::part::{Part, read_part, read_part_node};
 use crate::plan::CuttingMethod;
 use crate::program::Language;
 use technolog_note::note;
+use technolog_sheets::Sheet;
 
 use super::file::{self, PlanFile};
-use super::stated::{Figures, Program, Stated, StatedValue, Text};
+use super::finding::Section;
+use super::sheet::{self, columns, translate};
+use super::stated::{Author, Figures, Program, Remark, Stated, StatedValue, Text};
 use super::tolerance::Tolerances;
 use crate::tables::audit::PlanPart;
 
@@ -41,7 +44,49 @@ pub struct Unreadable {
 /// # Errors
 /// Every mistake of the file, each with its place and what to do.
 pub fn read_plan(file: &str, text: &str, knowledge: &Knowledge, files: Files<'_>) -> Result<Stated, Unreadable> {
-    read_tree(parse(file, text), file, text, knowledge, files)
+    read_plan_of(file, text, None, knowledge, files)
+}
+
+/// As [`read_plan`], of a part that the command line names, whatever the plan says.
+///
+/// # Errors
+/// As for [`read_plan`].
+pub fn read_plan_of(
+    file: &str,
+    text: &str,
+    part: Option<&Part>,
+    knowledge: &Knowledge,
+    files: Files<'_>,
+) -> Result<Stated, Unreadable> {
+    read_tree(parse(file, text), Source { file, text, part }, knowledge, files)
+}
+
+/// Reads the tables of CSV or XLSX: a plan by sections, or a list of tools, of a part that the command line names, of one that the
+/// tables name, or of none.
+///
+/// # Errors
+/// Every mistake of the tables, each with its place, `file:row:column`.
+pub fn read_table(
+    file: &str,
+    sheets: &[Sheet],
+    part: Option<&Part>,
+    knowledge: &Knowledge,
+    files: Files<'_>,
+) -> Result<Stated, Unreadable> {
+    let mut problems = Problems::default();
+    let tabled = sheet::read(file, sheets, part, &mut problems);
+    // A column that is not known is not read: what its cells are nobody can say.
+    let Some(tabled) = tabled.filter(|_| problems.0.is_empty()) else {
+        return Err(Unreadable { problems: problems.0, texts: Vec::new() });
+    };
+    let source = Source { file, text: "", part };
+    let mut stated = read_tree((Some(tabled.root), Vec::new()), source, knowledge, files)?;
+    stated.is_list = tabled.is_list;
+    stated.unsaid = tabled.unsaid;
+    let severity = crate::note::Severity::Note;
+    let remark = |(place, note)| Remark { place, note, severity, section: Section::Missing, figure: None };
+    stated.remarks.extend(tabled.remarks.into_iter().map(remark));
+    Ok(stated)
 }
 
 /// Reads a plan that stands inside another file. Files that it names are read as of [`read_plan`].
@@ -49,7 +94,7 @@ pub fn read_plan(file: &str, text: &str, knowledge: &Knowledge, files: Files<'_>
 /// # Errors
 /// Every mistake of the plan, each with its place in that file.
 pub fn read_plan_node(node: &Node, file: &str, knowledge: &Knowledge, files: Files<'_>) -> Result<Stated, Unreadable> {
-    read_tree((Some(node.clone()), Vec::new()), file, "", knowledge, files)
+    read_tree((Some(node.clone()), Vec::new()), Source { file, text: "", part: None }, knowledge, files)
 }
 
 /// As [`read_plan_node`], for a file of a folder that may be something else: none where it is readable but no plan.
@@ -62,11 +107,14 @@ pub fn read_if_plan(
     knowledge: &Knowledge,
     files: Files<'_>,
 ) -> Result<Option<Stated>, Unreadable> {
-    let (root, diagnostics) = parse(file, text);
+    let (mut root, diagnostics) = parse(file, text);
+    if let Some(root) = &mut root {
+        translate::keys(root);
+    }
     if root.as_ref().is_some_and(|root| !is_plan(root)) {
         return Ok(None);
     }
-    read_tree((root, diagnostics), file, text, knowledge, files).map(Some)
+    read_tree((root, diagnostics), Source { file, text, part: None }, knowledge, files).map(Some)
 }
 
 /// Whether a file is meant as a plan: written by `technolog plan`, or with a section of a plan and no holes (part
@@ -82,10 +130,17 @@ fn is_plan(root: &Node) -> bool {
     parts.into_iter().any(has) || has(PlanFile::part) && entries.iter().all(|(key, _)| own(&key.text))
 }
 
+/// A file with its text, and the part that the command line names for it.
+#[derive(Clone, Copy)]
+struct Source<'a> {
+    file: &'a str,
+    text: &'a str,
+    part: Option<&'a Part>,
+}
+
 fn read_tree(
     (root, diagnostics): (Option<Node>, Vec<Diagnostic>),
-    file: &str,
-    text: &str,
+    Source { file, text, part }: Source<'_>,
     knowledge: &Knowledge,
     files: Files<'_>,
 ) -> Result<Stated, Unreadable> {
@@ -99,12 +154,15 @@ fn read_tree(
         texts: Vec::new(),
         file,
         unread_rows: Vec::new(),
+        given: part,
+        remarks: Vec::new(),
     };
-    let stated = root.and_then(|root| {
+    let stated = root.and_then(|mut root| {
         // Only `technolog plan` writes holes at the top; a part file has them too, but no tools.
         if root.get("holes").is_some() && root.get("sequence").is_some() {
             super::own::read(&root, text, file, &mut reader.problems, knowledge)
         } else {
+            translate::keys(&mut root);
             reader.plan(&root)
         }
     });
@@ -132,7 +190,8 @@ pub(super) fn scope_of(node: &Node, problems: &mut Problems) -> Vec<PlanPart> {
 }
 
 fn part_of_plan(text: &str, node: &Node, problems: &mut Problems) -> Option<PlanPart> {
-    let known = PlanPart::NAMES.iter().find(|(name, _)| *name == text).map(|(_, part)| *part);
+    let named = |text: &str| PlanPart::NAMES.iter().find(|(name, _)| *name == text).map(|(_, part)| *part);
+    let known = named(text).or_else(|| named(columns::written(text, PlanPart::NAMES.iter().map(|(name, _)| *name))?));
     known.or_else(|| {
         let names: Vec<&str> = PlanPart::NAMES.iter().map(|(name, _)| *name).collect();
         let help = note!("part-may", names = names.join(", "));
@@ -150,13 +209,27 @@ struct Reader<'a> {
     file: &'a str,
     /// Rows of the route that were not read because of a fault: their numbers and their tools.
     unread_rows: Vec<(u32, Option<u32>)>,
+    /// The part that the command line names.
+    given: Option<&'a Part>,
+    /// Figures that there cannot be.
+    remarks: Vec<Remark>,
 }
 
 impl Reader<'_> {
     fn plan(&mut self, root: &Node) -> Option<Stated> {
         let mut fields = self.problems.map(root)?;
         let name = self.text(fields.take(PlanFile::plan)).map(|name| name.value).unwrap_or_default();
-        let part = fields.need(PlanFile::part, &mut self.problems).and_then(|node| self.part(node));
+        let mut said = |key| self.text(fields.take(key)).map(|text| text.value);
+        let author =
+            Author { student: said(PlanFile::student), group: said(PlanFile::group), variant: said(PlanFile::variant) };
+        let part = match self.given {
+            // What the plan says of its part is not read.
+            Some(given) => {
+                let _ = fields.take(PlanFile::part);
+                Some(given.clone())
+            }
+            None => fields.need(PlanFile::part, &mut self.problems).and_then(|node| self.part(node)),
+        };
         let cutting = fields.take(PlanFile::cutting);
         let method = cutting
             .and_then(|node| self.choice(node, &[("formula", CuttingMethod::Formula), ("card", CuttingMethod::Card)]));
@@ -203,6 +276,10 @@ impl Reader<'_> {
             program,
             times,
             changes: None,
+            author,
+            is_list: false,
+            unsaid: None,
+            remarks: std::mem::take(&mut self.remarks),
         })
     }
 
@@ -275,7 +352,7 @@ impl Reader<'_> {
 
     fn times(&mut self, node: &Node) -> Figures {
         let Some(mut fields) = self.problems.map::<file::Times>(node) else { return Figures::new() };
-        let figures = self.figures(&mut fields);
+        let figures = self.figures(Section::Times, &mut fields);
         fields.finish(&mut self.problems);
         figures
     }
@@ -293,6 +370,10 @@ impl Reader<'_> {
     fn choice<T: Copy>(&mut self, node: &Node, choices: &[(&str, T)]) -> Option<T> {
         let text = self.problems.text(node)?;
         if let Some((_, value)) = choices.iter().find(|(name, _)| *name == text) {
+            return Some(*value);
+        }
+        let meant = columns::written(text, choices.iter().map(|(name, _)| *name));
+        if let Some((_, value)) = choices.iter().find(|(name, _)| Some(*name) == meant) {
             return Some(*value);
         }
         let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();

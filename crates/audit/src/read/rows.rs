@@ -12,6 +12,7 @@ use technolog_core::words::{operation_named, operations_like};
 use technolog_note::{Figure, note};
 
 use super::Reader;
+use crate::audit::finding::Section;
 use crate::audit::near::plain;
 use crate::audit::stated::{Row, StatedValue, Text};
 use crate::audit::{file, limits};
@@ -42,7 +43,9 @@ impl Reader<'_> {
             // By its name in tables, or by the Ukrainian name of the report: `drill`, `свердління`, `свердлити`.
             let id =
                 |text: &str| Operation::NAMES.iter().find(|(name, _)| *name == text).map(|(_, operation)| *operation);
-            let named = node.text().and_then(|text| id(text).or_else(|| operation_named(text, Lang::UK)));
+            let named = node
+                .text()
+                .and_then(|text| id(text).or_else(|| Lang::all().find_map(|lang| operation_named(text, lang))));
             let value = named.or_else(|| self.no_operation(node))?;
             Some(StatedValue { value, place: node.place.clone() })
         });
@@ -54,7 +57,7 @@ impl Reader<'_> {
         let tool = fields.take(file::Row::tool).and_then(|node| self.tool_number(node));
         let scheme = self.text_of(&mut fields, file::Row::scheme);
         let table = self.text_of(&mut fields, file::Row::table);
-        let figures = self.figures(&mut fields);
+        let figures = self.figures(Section::Route, &mut fields);
         fields.finish(&mut self.problems);
         let number = own.unwrap_or(number);
         if operation.is_none() {

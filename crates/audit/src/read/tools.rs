@@ -6,6 +6,7 @@ use technolog_note::note;
 
 use super::Reader;
 use super::rows::number_of_tool;
+use crate::audit::finding::Section;
 use crate::audit::quantity::Quantity;
 use crate::audit::stated::{StatedFigure, StatedValue, Tool};
 use crate::audit::{file, limits};
@@ -84,7 +85,7 @@ impl Reader<'_> {
             Some(StatedValue { value, place: node.place.clone() })
         });
         let holder_node = fields.take(file::Tool::holder);
-        let mut figures = self.figures(&mut fields);
+        let mut figures = self.figures(Section::Tools, &mut fields);
         fields.finish(&mut self.problems);
         let (mut holder, mut holder_standard) = (None, None);
         // A text names the tool that has the same holder.
@@ -92,7 +93,7 @@ impl Reader<'_> {
         if let Some(mut fields) = holder_node.and_then(|node| self.problems.map(node)) {
             holder = self.text_of(&mut fields, file::Holder::designation);
             holder_standard = self.text_of(&mut fields, file::Holder::standard);
-            figures.extend(self.figures_under("holder.", &mut fields));
+            figures.extend(self.figures_under(Section::Holders, "holder.", &mut fields));
             fields.finish(&mut self.problems);
         }
         Some(Tool {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::cutting;
-use crate::error::KnowledgeError;
+use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::units::Percent;
 use crate::note::{Because, Note, Severity};
 use crate::plan::{CuttingMethod, Operation};
@@ -16,7 +16,7 @@ use crate::units::{RevsPerMinute, round_to};
 use super::super::context::Context;
 use super::super::graph::{Constant, Formula, Graph, Judged, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{equal_figures, fixed_figure, formula};
+use super::{equal_figures, fixed_figure, formula, handbook};
 
 const DEPTH: Rule = Rule { id: "depth-of-cut", formula: "t = (D − D0)/2" };
 const FEED: Rule = Rule { id: "feed", formula: "S = Sт·Ks" };
@@ -173,7 +173,8 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     let is_limited = conditions.is_limited;
     // In a plan of the program, a speed limited by something else than the cutting speed has no step of its own here.
     let rounds = conditions.rounds || conditions.rows.first().is_some_and(|first| context.goes_round(*first));
-    if is_limited && context.stated.is_own || rounds {
+    let unknown = context.stated.unsaid.is_some_and(|unsaid| unsaid.machine);
+    if is_limited && context.stated.is_own || rounds || unknown {
         return Ok(());
     }
     if context.stated.rows[conditions.rows[0]].operation.value == Operation::Tap {
@@ -241,6 +242,10 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
         if let Some(spot) = context.same_transition(*first) {
             known.insert(Id::new(Scope::Row(*first), Q::Diameter), spot.diameter_mm.to_mm());
         }
+        let is_known = context.stated.unsaid.is_none_or(|unsaid| !unsaid.material);
+        if context.stated.is_list && is_known && context.reference(*first).is_none() {
+            known.extend(list_feed(context, at)?.map(|feed| (Id::new(scope, Q::Feed), feed)));
+        }
         let Some(reference) = context.reference(*first) else { continue };
         let own = &reference.conditions;
         let figures = [
@@ -258,6 +263,21 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
     }
     known.insert(Id::new(Scope::Times, Q::RapidTime), context.plan.time.rapid_min.0);
     Ok(known)
+}
+
+/// The feed of the table, mm/rev, of a drill in a list of tools. A list does not say how well its hole is to be: where a reamer follows, and
+/// for other tools, the feed depends on that.
+fn list_feed(context: &Context<'_>, at: usize) -> Result<Option<f64>, KnowledgeError> {
+    let stated = context.stated;
+    let first = stated.conditions.get(at).and_then(|own| own.rows.first().copied());
+    let Some((first, row)) = first.and_then(|first| Some((first, stated.rows.get(first)?))) else { return Ok(None) };
+    let reamed = row.hole.as_ref().is_some_and(|hole| stated.reamer_follows(&hole.value, first));
+    if reamed || !matches!(row.operation.value, Operation::Drill | Operation::DrillOut) {
+        return Ok(None);
+    }
+    let Some(cut) = handbook::cut(context, at)? else { return Ok(None) };
+    let feed = Refusal::split(cutting::handbook::feed(&cut, &context.shop))?;
+    Ok(feed.ok().map(|(feed, _)| feed.0))
 }
 
 /// The values that `technolog plan` takes from the tables for the same transition, used as a last resort. A plan of

@@ -51,6 +51,9 @@ fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) 
     if stated.method != CuttingMethod::Formula && stated.figure(id(Q::ToolLife)).is_none() {
         return Ok(());
     }
+    if stated.unsaid.is_some_and(|unsaid| unsaid.material) {
+        return Ok(());
+    }
     let Some(cut) = cut(context, at)? else { return Ok(()) };
     // The row that applies depends on the feed, on the right one where the stated one is misprinted.
     let feed = tabulated::feed(context, at)?.map(MillimetresPerRev);
@@ -112,7 +115,7 @@ fn by_law(context: &Context<'_>, at: usize, formulas: &Handbook, diameter: Micro
 }
 
 /// The cut of the conditions, as far as the formulas need it; none if the cutter is not known.
-fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> {
+pub(super) fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> {
     let stated = context.stated;
     let conditions = &stated.conditions[at];
     let Some(first) =
@@ -132,7 +135,9 @@ fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, KnowledgeError> 
     let depth = reference
         .map(|own| own.depth_mm - own.start_mm)
         .or_else(|| figure(Id::new(Scope::Row(first), Q::Depth)))
-        .unwrap_or(hole.depth);
+        // The depth of a hole that is made of a list is ours.
+        .or_else(|| stated.unsaid.is_none().then_some(hole.depth))
+        .unwrap_or_default();
     // Typed values may be anything; the tables end far below one metre.
     let sensible = |own: &Micrometres| (Micrometres::new(1)..=Micrometres::from_mm(1000)).contains(own);
     let Some(diameter) = diameter.filter(sensible).filter(|_| sensible(&depth)) else { return Ok(None) };

@@ -9,9 +9,11 @@ use super::words::{change, figure, whereabouts};
 use super::{counts, finding_text, place};
 
 /// The page.
-pub fn page(audited: &[Audited], lang: Lang) -> Document {
+///
+/// `sheets` are the paths of the students' sheets from the page, one for each work; none where there are no sheets.
+pub fn page(audited: &[Audited], sheets: &[String], lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), lang.word("audit-folder"));
-    page.push(table(audited, lang));
+    page.push(table(audited, sheets, lang));
     let unread = audited.iter().filter(|one| one.audit().is_none()).count();
     let Counts { error, wrong, doubtful, note, .. } = total(audited);
     page.paragraph(say!(
@@ -24,10 +26,11 @@ pub fn page(audited: &[Audited], lang: Lang) -> Document {
         doubtful = doubtful,
         note = note
     ));
+    super::class::push(&mut page, audited, lang);
     page
 }
 
-fn table(audited: &[Audited], lang: Lang) -> Table {
+fn table(audited: &[Audited], sheets: &[String], lang: Lang) -> Table {
     let marked = audited.iter().filter_map(Audited::audit).any(|audit| audit.marks.is_some());
     let mut columns = vec![Column::text(lang.word("audit-column-file"))];
     // The columns that decide whether a plan passes are kept longest.
@@ -36,9 +39,9 @@ fn table(audited: &[Audited], lang: Lang) -> Table {
     columns.push(Column::text(lang.word("audit-column-root")).min_width(24));
     columns.extend(marked.then(|| Column::number(lang.word("audit-column-marks"), "")));
     let mut table = Table::new(columns);
-    for one in audited {
+    for (at, one) in audited.iter().enumerate() {
         table.row(match one {
-            Audited::Plan(audit) => row(audit, lang),
+            Audited::Plan(audit) => row(audit, sheets.get(at), lang),
             Audited::Unreadable(unread) => {
                 let mut row = vec![Inlines::from(unread.file.as_str())];
                 row.extend(std::iter::repeat_n(Inlines::from("–"), 4));
@@ -50,8 +53,11 @@ fn table(audited: &[Audited], lang: Lang) -> Table {
     table
 }
 
-fn row(audit: &Audit, lang: Lang) -> Vec<Inlines> {
-    let mut row = vec![Inlines::from(audit.file.as_str())];
+fn row(audit: &Audit, sheet: Option<&String>, lang: Lang) -> Vec<Inlines> {
+    let mut row = vec![match sheet {
+        Some(sheet) => Inlines::default().link(audit.file.as_str(), sheet.as_str()),
+        None => Inlines::from(audit.file.as_str()),
+    }];
     row.extend(counts::by_severity(audit.summary.all).map(counts::number));
     row.push(Inlines::sentence(&root(audit, lang)));
     row.extend(audit.marks.as_ref().map(|marks| {

@@ -106,3 +106,14 @@ audit-flute-short = the flutes are { $reach } mm long; depth, point and overrun 
 # Clamps.
 audit-clamp-standard = { $standard } is not the standard of the clamp { $designation }: it is of { $known }
 audit-clamp-screw = { $screw } is not the screw of the clamp { $designation }: it has { $known }
+audit-impossible = { $text } cannot be the { $name }: { $must }
+audit-column-unread = “{ $column }” was not read: no column or line of a plan is called so
+audit-column-read-as = column “{ $column }” was read as { $meant }, as in a program
+audit-list-without-part = the list names no part, material or machine: designations, tools, holders and arithmetic were judged; feeds, speeds and the steps of the spindle were not
+    .help = name the part, `--part PART.yaml`, or write the material and the machine above the table
+audit-list-without-material = the list names no part and no material: feeds, speeds and loads were not compared with the tables
+    .help = name the part, `--part PART.yaml`, or write the material above the table
+audit-list-without-machine = the list names no part and no machine: the steps and the limits of the machine were not asked
+    .help = name the part, `--part PART.yaml`, or write the machine above the table
+audit-list-with-both = the list names no part: routes, lengths and whatever depends on the drawing were not judged
+    .help = name the part: `--part PART.yaml`

@@ -247,3 +247,28 @@ audit-no-plans = there is no plan in the folder `{ $folder }`
 audit-what-is-a-plan = plans are files .yaml, .yml and .json as docs/audit.md describes them
 audit-folder-against = only two plans can be compared, no folder
 audit-name-a-plan = name a plan file
+audit-class-grades = Grades
+audit-class-mistakes = What the class gets wrong most
+audit-class-mistakes-note = Mistakes of more than one work, each once for each work; what only follows from another is not counted.
+audit-class-alike = Works alike, for the lecturer
+audit-class-alike-note = The same wrong figures that hardly any other work states. It may be chance: ask, do not conclude.
+audit-column-mistake = mistake
+audit-column-works = works
+audit-column-where = whose
+audit-column-work = work
+audit-column-other-work = other work
+audit-column-same = the same in both
+audit-column-of = of
+audit-column-passed = passed
+audit-column-taken-by = taken off: { $section }
+audit-column-remark = remark
+audit-same-figure = { $about }: { $stated }
+audit-sheet-nothing = Nothing is wrong and nothing doubtful.
+audit-sheet-notes = Notes for whoever wants to know more: { $count }; `technolog audit` shows them.
+audit-sheet-follow = { $count ->
+    [one] because of this one more figure or choice is wrong
+   *[other] because of this { $count } more figures or choices are wrong
+}
+audit-sheets-format = the sheets of the students are pages: `--format html` or `--format markdown`
+audit-sheets-format-help = add `--format html`; the grade book is another run with `--format csv` or `xlsx`
+audit-sheet-lines = (lines

@@ -234,3 +234,29 @@ audit-no-plans = у теці `{ $folder }` немає жодного плану
 audit-what-is-a-plan = плани – це файли .yaml, .yml і .json, як їх описує docs/uk/audit.md
 audit-folder-against = порівняти можна лише два плани, не теку
 audit-name-a-plan = назвіть файл плану
+audit-class-grades = Оцінки
+audit-class-mistakes = У чому група помиляється найчастіше
+audit-class-mistakes-note = Помилки, що є більш ніж в одній роботі; кожну пораховано в роботі один раз, а те, що лише випливає з іншого, не пораховано.
+audit-class-alike = Схожі роботи, для викладача
+audit-class-alike-note = Однакові хибні числа, яких майже ніхто інший не пише. Це може бути й випадок: спитайте, перш ніж робити висновок.
+audit-column-mistake = помилка
+audit-column-works = робіт
+audit-column-where = чиї
+audit-column-work = робота
+audit-column-other-work = друга робота
+audit-column-same = однакове в обох
+audit-column-of = з
+audit-column-passed = зараховано
+audit-column-taken-by = знято: { $section }
+audit-column-remark = примітка
+audit-same-figure = { $about }: { $stated }
+audit-sheet-nothing = Немає нічого хибного й нічого сумнівного.
+audit-sheet-notes = Зауважень для охочих знати більше: { $count }; їх показує `technolog audit`.
+audit-sheet-follow = { $count ->
+    [one] через це хибне ще { $count } число або вибір
+    [few] через це хибні ще { $count } числа або вибори
+   *[many] через це хибні ще { $count } чисел або виборів
+}
+audit-sheets-format = аркуші студентам – це сторінки: `--format html` або `--format markdown`
+audit-sheets-format-help = додайте `--format html`; відомість оцінок – це інший запуск, з `--format csv` або `xlsx`
+audit-sheet-lines = (рядки

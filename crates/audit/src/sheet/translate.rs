@@ -1,0 +1,57 @@
+//! Keys of a plan by hand in another language: `маршрут`, `перехід`, `подача`. They are renamed where they stand, so that every other
+//! reader knows one set of keys.
+
+use crate::knowledge::yaml::{Node, NodeKind};
+
+use super::columns::{Column, Of};
+
+/// The tree of a plan with the keys of the format. Keys of the format itself are left as they are.
+pub(crate) fn keys(root: &mut Node) {
+    rename(root, Of::Plan);
+}
+
+fn rename(node: &mut Node, of: Of) {
+    let NodeKind::Map(entries) = &mut node.kind else { return };
+    let columns = of.columns();
+    for (key, value) in entries {
+        if !key.text.is_ascii() {
+            let called: Vec<&Column> = columns.iter().filter(|column| is_called(**column, &key.text)).collect();
+            let named = called.iter().find(|column| column.is_named(&key.text)).copied();
+            let only = if let [only] = called.as_slice() { Some(*only) } else { named };
+            if let Some(column) = only {
+                key.text = column.key.to_owned();
+            }
+        }
+        match (of, key.text.as_str()) {
+            (Of::Plan, "route") => items(value, Of::Row),
+            (Of::Plan, "tools") => values(value, Of::Tool),
+            (Of::Plan, "conditions") => items(value, Of::Conditions),
+            (Of::Plan, "clamping") => rename(value, Of::Clamping),
+            (Of::Plan, "program") => rename(value, Of::Program),
+            (Of::Plan, "times") => rename(value, Of::Times),
+            (Of::Tool, "holder") => rename(value, Of::Holder),
+            (Of::Conditions, "card") => rename(value, Of::Card),
+            (Of::Conditions, "factors") => rename(value, Of::Factors),
+            _ => {}
+        }
+    }
+}
+
+/// By its own names; in the mapping of a holder or a card its key is enough, `довжина`.
+fn is_called(column: Column, name: &str) -> bool {
+    let bare = Column { of: Of::Row, key: column.key };
+    column.is_called(name, true)
+        || matches!(column.of, Of::Holder | Of::Card | Of::Factors) && bare.is_called(name, true)
+}
+
+fn items(node: &mut Node, of: Of) {
+    if let NodeKind::Seq(items) = &mut node.kind {
+        items.iter_mut().for_each(|item| rename(item, of));
+    }
+}
+
+fn values(node: &mut Node, of: Of) {
+    if let NodeKind::Map(entries) = &mut node.kind {
+        entries.iter_mut().for_each(|(_, value)| rename(value, of));
+    }
+}

@@ -1,0 +1,25 @@
+# Faults of tables, CSV and XLSX.
+sheet-empty = the table is empty
+sheet-empty-help = write a plan or a list of tools into it; `technolog plan PART.yaml --format xlsx` shows the form
+sheet-too-large = more than { $most } cells
+sheet-too-large-help = leave only the plan in the file
+sheet-no-text = this is no text in UTF-8, UTF-16 or the code page 1251
+sheet-no-text-help = save the table as CSV in UTF-8, or as XLSX
+sheet-open-quote = a quotation mark in line { $line } is never closed
+sheet-open-quote-help = close it, or write the sign twice where it is meant as a sign
+sheet-no-workbook = this is no workbook of XLSX: { $why }
+sheet-no-workbook-help = save the table as XLSX or as CSV in UTF-8
+sheet-password-help = save it without a password
+sheet-no-head = no row of this table is the head of a plan or of a list of tools
+sheet-no-head-help = name the columns in one row, two or more of: operation, hole, diameter, depth, tool designation, holder, feed in mm/rev, spindle speed in 1/min
+sheet-column-open = column “{ $column }” may mean several things: { $meant }
+sheet-column-open-help = add the unit behind a comma, or use one of these names
+sheet-column-twice = column “{ $column }” means the same as one before it: { $meant }
+sheet-column-twice-help = leave one of the two, or call the other by what it holds
+sheet-tool-without-place = this tool has no number
+sheet-row-without-operation = this row does not say what is done
+sheet-row-without-operation-help = fill the column “operation”, or delete the row
+sheet-tool-differs = { $tool } is something else in row { $line }
+sheet-tool-differs-help = give another tool another number
+sheet-column-of-unit = { $name } in { $unit }
+sheet-column-named = { $name }

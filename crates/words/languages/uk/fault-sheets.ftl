@@ -1,0 +1,25 @@
+# Помилки таблиць, CSV і XLSX.
+sheet-empty = таблиця порожня
+sheet-empty-help = впишіть у неї план або перелік інструментів; форму покаже `technolog plan PART.yaml --format xlsx`
+sheet-too-large = більше ніж { $most } клітинок
+sheet-too-large-help = залиште у файлі лише план
+sheet-no-text = це не текст у UTF-8, UTF-16 чи кодовій сторінці 1251
+sheet-no-text-help = збережіть таблицю як CSV у UTF-8 або як XLSX
+sheet-open-quote = лапки в рядку { $line } не закрито
+sheet-open-quote-help = закрийте їх або напишіть знак двічі, якщо це сам знак
+sheet-no-workbook = це не книга XLSX: { $why }
+sheet-no-workbook-help = збережіть таблицю як XLSX або як CSV у UTF-8
+sheet-password-help = збережіть її без пароля
+sheet-no-head = жоден рядок цієї таблиці не є заголовком плану чи переліку інструментів
+sheet-no-head-help = назвіть колонки в одному рядку, дві або більше з таких: перехід, отвір, діаметр, глибина, позначення інструмента, допоміжний інструмент, подача в мм/об, частота обертання в об/хв
+sheet-column-open = колонка «{ $column }» може означати різне: { $meant }
+sheet-column-open-help = допишіть одиницю через кому або назвіть колонку одним із цих імен
+sheet-column-twice = колонка «{ $column }» означає те саме, що й одна перед нею: { $meant }
+sheet-column-twice-help = залиште одну з двох або назвіть другу за тим, що в ній
+sheet-tool-without-place = у цього інструмента немає номера
+sheet-row-without-operation = цей рядок не каже, що роблять
+sheet-row-without-operation-help = заповніть колонку «перехід» або вилучіть рядок
+sheet-tool-differs = { $tool } у рядку { $line } інший
+sheet-tool-differs-help = дайте іншому інструментові інший номер
+sheet-column-of-unit = { $name } в { $unit }
+sheet-column-named = { $name }

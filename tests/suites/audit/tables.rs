@@ -1,0 +1,305 @@
+//! Plans and lists of tools as tables: CSV in the forms of several countries and XLSX, with their places, and the templates that the
+//! program writes.
+
+use std::fs;
+
+use serde_yaml::Value;
+use technolog::audit::{Audit, Unreadable, by_tables, read_plan, read_table};
+use technolog::knowledge::Diagnostic;
+use technolog::note::Severity;
+use technolog::part::{Part, read_part};
+use technolog::plan::CuttingMethod;
+use technolog::sheets::{self, Kind, Sheet};
+use technolog::words::Lang;
+use technolog_testing::{AUDITOR, KNOWLEDGE, planned, root};
+
+use super::honest;
+
+fn none(name: &str) -> Result<String, String> {
+    fs::read_to_string(root().join(name)).map_err(|error| error.to_string())
+}
+
+fn audited(sheets: &[Sheet], part: Option<&Part>) -> Result<Audit, Unreadable> {
+    Ok(AUDITOR.audit(&read_table("list.csv", sheets, part, &KNOWLEDGE, &none)?).unwrap())
+}
+
+fn of_text(text: &str, part: Option<&Part>) -> Result<Audit, Vec<Diagnostic>> {
+    let sheets = sheets::read(Kind::Csv, text.as_bytes()).unwrap();
+    audited(&sheets, part).map_err(|why| why.problems)
+}
+
+fn plate() -> Part {
+    read_part("plate.yaml", &none("examples/plate.yaml").unwrap(), &KNOWLEDGE).unwrap()
+}
+
+/// The findings that are no notes: `wrong minute-feed 2:9 200`.
+fn found(audit: &Audit) -> Vec<String> {
+    let grave = audit.findings.iter().filter(|one| one.severity < Severity::Note && one.follows_from.is_empty());
+    let place = |line: Option<u32>| line.unwrap_or_default();
+    let of = |one: &technolog::audit::AuditFinding| {
+        let severity = format!("{:?}", one.severity).to_lowercase();
+        format!(
+            "{severity} {} {}:{} {}",
+            one.rule,
+            place(one.line),
+            place(one.column),
+            one.stated.clone().unwrap_or_default()
+        )
+    };
+    grave.map(of).collect()
+}
+
+/// A list of the drill of Appendix Г, at figures of the book's card (l. 10096-10130): 27.46 m/min is 874.5 turns, of which 800 are a step.
+const LIST: &str = "Матеріал;Сталь 45\r\nВерстат;gf2171\r\nОтвір;Перехід;Діаметр, мм;Глибина, мм;Різальний інструмент;Оправка;S, мм/об;n, об/хв;F, мм/хв\r\n\
+A;свердління;10;40;Свердло 035-2300-1273 ОСТ 2И20-1-80;191113040;0,25;800;200\r\n";
+
+#[test]
+fn a_list_is_read_as_people_write_it() {
+    let wrong = LIST.replacen("800;200", "800;260", 1);
+    let english = "material,steel-45\nmachine,gf2171\nhole,operation,\"D, mm\",\"depth, mm\",cutter,chuck,\"feed (mm/rev)\",\"n, rpm\",\"F, mm/min\"\n\
+A,drilling,10,40,035-2300-1273,191113040,0.25,800,260\n";
+    let cp1251: Vec<u8> = wrong
+        .chars()
+        .map(|sign| match sign {
+            'А'..='я' => u8::try_from(u32::from(sign) - 0x410 + 0xc0).unwrap(),
+            'і' => 0xb3,
+            'І' => 0xb2,
+            'ї' => 0xbf,
+            'є' => 0xba,
+            sign => u8::try_from(u32::from(sign)).unwrap(),
+        })
+        .collect();
+    let tabs = wrong.replace(';', "\t");
+    let marked = format!("\u{feff}{wrong}");
+    for bytes in [wrong.as_bytes(), english.as_bytes(), &cp1251, tabs.as_bytes(), marked.as_bytes()] {
+        let list = sheets::read(Kind::Csv, bytes).unwrap();
+        assert_eq!(found(&audited(&list, None).unwrap()), ["wrong minute-feed 4:9 260"]);
+        assert_eq!(found(&audited(&list, Some(&plate())).unwrap()), ["wrong minute-feed 4:9 260"]);
+        // The same as a workbook: figures are figures there.
+        let named = Sheet { name: "Аркуш1".to_owned(), ..list[0].clone() };
+        let book = sheets::read(Kind::Xlsx, &sheets::xlsx(&[named]).unwrap()).unwrap();
+        assert_eq!(found(&audited(&book, None).unwrap()), ["wrong minute-feed 4:9 260"]);
+    }
+    assert_eq!(found(&of_text(LIST, None).unwrap()), [""; 0]);
+}
+
+#[test]
+fn choices_of_a_list_are_judged_by_what_is_known() {
+    // Ø22.5 for a hole Ø20; and 2 mm/rev for 0.2.
+    let other = LIST.replacen("035-2300-1273", "035-2301-1070", 1);
+    assert_eq!(found(&of_text(&other, None).unwrap())[0], "error tool-of-other-size 4:5 ");
+    let feed = LIST.replacen("0,25;800;200", "2,5;800;2000", 1);
+    assert_eq!(found(&of_text(&feed, None).unwrap()), ["wrong audit-by-table 4:7 2,5".replace(',', ".")]);
+    // Without the material nobody knows, and a note says so.
+    let bare = feed.replacen("Матеріал;Сталь 45\r\nВерстат;gf2171\r\n", "", 1);
+    let audit = of_text(&bare, None).unwrap();
+    assert_eq!(found(&audit), [""; 0]);
+    assert!(audit.findings.iter().any(|one| one.rule == "audit-list-without-part"));
+    // A Morse drill in a collet chuck; a spindle speed that the machine has not.
+    let chuck = LIST.replacen("10;40;Свердло 035-2300-1273", "20;40;Свердло 035-2301-1060", 1);
+    let chuck = found(&of_text(&chuck, None).unwrap());
+    assert!(chuck.iter().any(|one| one.starts_with("error holder-of-other-shank 4:6")), "{chuck:?}");
+    let step = LIST.replacen("800;200", "810;202,5", 1);
+    let step = found(&of_text(&step, None).unwrap());
+    assert!(step.iter().any(|one| one.contains("4:8 810")), "{step:?}");
+}
+
+#[test]
+fn bad_tables_are_told_with_place_and_remedy() {
+    let part = plate();
+    let problems = |text: &str, part: Option<&Part>| -> Vec<String> {
+        let problems = of_text(text, part).unwrap_err();
+        assert!(problems.iter().all(|one| one.help.is_some()), "{problems:?}");
+        problems.iter().map(|one| format!("{} {}", one.code, one.place.clone().unwrap())).collect()
+    };
+    assert_eq!(problems("a;b\n1;2\n", None), ["no-head list.csv:1:1"]);
+    // S alone may be the feed or the spindle speed.
+    assert_eq!(
+        problems("Перехід;Інструмент;S\nсвердління;035-2300-1273;0,2\n", None),
+        ["ambiguous-column list.csv:1:3"]
+    );
+    assert_eq!(problems("Перехід;D;Діаметр\nсвердління;10;10\n", None), ["duplicate-column list.csv:1:3"]);
+    let rows = "Отвір;Перехід;Діаметр;Інструмент;S, мм/об\n";
+    assert_eq!(problems(&format!("{rows}A;свердловина;10;;0,2\n"), Some(&part)), ["bad-value list.csv:2:2"]);
+    assert_eq!(problems(&format!("{rows}Z;свердління;10;;0,2\n"), Some(&part)), ["unknown-hole list.csv:2:1"]);
+    assert_eq!(problems(&format!("{rows}A;свердління;десять;;0,2\n"), Some(&part)), ["bad-value list.csv:2:3"]);
+    assert_eq!(problems(&format!("{rows}A;;10;;0,2\n"), Some(&part)), ["missing-key list.csv:2:1"]);
+    for bytes in [b"\x00\x01\x02".as_slice(), b"", b"\n;;\n"] {
+        assert!(sheets::read(Kind::Csv, bytes).is_err());
+    }
+}
+
+/// S and F without units are words of a program: 800 turns, 200 mm/min; a note says how they were read.
+#[test]
+fn words_of_programs_are_read_and_told() {
+    let audit = of_text("hole,operation,D,tool,S,F\nA,drill,10,035-2300-1273,800,200\n", Some(&plate())).unwrap();
+    let read: Vec<_> = audit.findings.iter().filter(|one| one.rule == "audit-column-read-as").collect();
+    assert_eq!(read.len(), 2);
+    assert_eq!(Lang::EN.say(&read[0].note), "column “S” was read as spindle speed in rpm, as in a program");
+    // What is not read is told, too.
+    let audit = of_text("hole,operation,D,tool,price\nA,drill,10,035-2300-1273,7\n", Some(&plate())).unwrap();
+    assert!(audit.findings.iter().any(|one| one.rule == "audit-column-unread" && one.column == Some(5)));
+}
+
+/// Every plan of another hand as a list of its tools: of its part, of its material and machine, of nothing. None is blamed.
+#[test]
+fn no_honest_list_is_blamed() {
+    let mut blamed = Vec::new();
+    let mut lists = 0;
+    for (name, text) in honest::plans() {
+        let plan: Value = serde_yaml::from_str(&text).unwrap();
+        let (Some(list), Some(part)) = (list_of(&plan), part_of(&plan)) else { continue };
+        lists += 1;
+        let said = format!("material;{}\nmachine;{}\n", part.material, part.machine);
+        let by_material = if part.material_state.is_none() { said } else { String::new() };
+        for (how, text, part) in [
+            ("part", list.clone(), Some(&part)),
+            ("material", format!("{by_material}{list}"), None),
+            ("alone", list, None),
+        ] {
+            let audit = of_text(&text, part).unwrap_or_else(|why| panic!("{name}: {why:?}\n{text}"));
+            let grave = audit.findings.iter().filter(|one| one.is_wrong());
+            blamed.extend(grave.map(|one| format!("{name} {how}: {} {:?} {:?}", one.rule, one.stated, one.right)));
+        }
+    }
+    assert!(lists >= 15, "{lists}");
+    assert_eq!(blamed, [""; 0]);
+}
+
+fn text(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.to_string(),
+        _ => String::new(),
+    }
+}
+
+fn part_of(plan: &Value) -> Option<Part> {
+    let part = plan.get("part")?;
+    let text = match part {
+        Value::String(path) => fs::read_to_string(honest::folder().join(path)).unwrap(),
+        part => serde_yaml::to_string(part).unwrap(),
+    };
+    read_part("part.yaml", &text, &KNOWLEDGE).ok()
+}
+
+/// The tools of a plan as rows with all that the plan says of each.
+fn list_of(plan: &Value) -> Option<String> {
+    let keys = ["hole", "operation", "diameter", "from", "depth", "passes"];
+    let figures = ["feed", "speed", "rpm_computed", "rpm", "minute_feed"];
+    let mut lines = vec![
+        "hole;operation;D;D0;depth;passes;cutter;chuck;feed, mm/rev;V, m/min;computed rpm;n, rpm;F, mm/min".to_owned(),
+    ];
+    let empty = Vec::new();
+    let conditions = plan.get("conditions").and_then(Value::as_sequence).unwrap_or(&empty);
+    for (at, row) in plan.get("route")?.as_sequence()?.iter().enumerate() {
+        if row.get("elsewhere").is_some() || row.get("step").is_some() || row.get("feature").is_some() {
+            continue;
+        }
+        let number = row.get("row").map_or_else(|| (at + 1).to_string(), text);
+        let tool_of = row.get("tool").map(text).unwrap_or_default();
+        let tool = plan.get("tools").and_then(|tools| tools.get(tool_of.as_str()));
+        let named = |value: Option<&Value>| value.and_then(|own| own.get("designation")).map(text).unwrap_or_default();
+        let is_own = |own: &&Value| match own.get("for") {
+            Some(Value::Sequence(rows)) => rows.iter().any(|row| text(row) == number),
+            Some(row) => text(row) == number || text(row) == tool_of,
+            None => false,
+        };
+        let own = conditions.iter().find(is_own);
+        let mut cells: Vec<String> = keys.iter().map(|key| row.get(*key).map(text).unwrap_or_default()).collect();
+        cells.push(named(tool));
+        cells.push(named(tool.and_then(|tool| tool.get("holder"))));
+        cells.extend(figures.iter().map(|key| own.and_then(|own| own.get(*key)).map(text).unwrap_or_default()));
+        lines.push(cells.join(";"));
+    }
+    Some(lines.join("\n"))
+}
+
+/// What the program writes is read back as the same plan: nothing is found that is not found in its form of YAML.
+#[test]
+fn templates_are_plans() {
+    let parts = ["examples/plate.yaml", "examples/bracket.yaml", "tests/audit/aluminium-part.yaml"];
+    let mut seen = 0;
+    for path in parts {
+        let Ok(text) = none(path) else { continue };
+        seen += 1;
+        let part = read_part(path, &text, &KNOWLEDGE).unwrap();
+        let plan = planned(&part, CuttingMethod::Formula);
+        let hand = read_plan("plan.yaml", &technolog::audit::by_hand(&plan, path), &KNOWLEDGE, &none).unwrap();
+        let expected = said(&AUDITOR.audit(&hand).unwrap());
+        for lang in [Lang::UK, Lang::EN] {
+            let tables = by_tables(&plan, path, lang);
+            let csv = sheets::csv(&tables, if lang.tag() == "uk" { ',' } else { '.' });
+            let books = [
+                sheets::read(Kind::Csv, csv.as_bytes()).unwrap(),
+                sheets::read(Kind::Xlsx, &sheets::xlsx(&tables).unwrap()).unwrap(),
+            ];
+            for book in books {
+                let audit = audited(&book, None).unwrap_or_else(|why| panic!("{path}: {:?}", why.problems));
+                assert_eq!(said(&audit), expected, "{path} {}", lang.tag());
+            }
+        }
+    }
+    assert!(seen >= 2, "{seen}");
+}
+
+/// Every finding but its place, which is of the table.
+fn said(audit: &Audit) -> Vec<String> {
+    audit.findings.iter().map(|one| format!("{:?} {} {} {:?}", one.severity, one.rule, one.field, one.stated)).collect()
+}
+
+#[test]
+fn keys_and_words_of_a_plan_may_be_ukrainian() {
+    let right = none("tests/audit/right.yaml").unwrap().replace("../../examples", "examples");
+    let mut plan = right.clone();
+    for (key, own) in [
+        ("plan:", "план:"),
+        ("part:", "деталь:"),
+        ("cutting: card", "режими за: картами"),
+        ("route:", "маршрут:"),
+        ("operation: centre-drill", "перехід: центрування"),
+        ("operation: drill,", "перехід: свердління,"),
+        ("hole:", "отвір:"),
+        ("diameter:", "діаметр:"),
+        ("depth:", "глибина:"),
+        ("tools:", "інструменти:"),
+        ("overhang:", "виліт:"),
+        ("conditions:", "режими різання:"),
+        ("depth_of_cut:", "глибина різання:"),
+        ("feed:", "подача:"),
+        ("minute_подача:", "хвилинна подача:"),
+        ("clamping:", "закріплення:"),
+        ("times:", "час деталі:"),
+    ] {
+        assert!(plan.contains(key), "{key}");
+        plan = plan.replace(key, own);
+    }
+    let audit = |text: &str| {
+        let text = text
+            .replace("program: {file: plate.nc", "program: {file: tests/audit/plate.nc")
+            .replace("setting: plate", "setting: tests/audit/plate");
+        AUDITOR
+            .audit(&read_plan("plan.yaml", &text, &KNOWLEDGE, &none).unwrap_or_else(|why| panic!("{:?}", why.problems)))
+            .unwrap()
+    };
+    assert_eq!(said(&audit(&plan)), said(&audit(&right)));
+}
+
+/// A sign too much, a nought and half a hole are slips, and the rest of the plan is judged.
+#[test]
+fn impossible_figures_are_slips() {
+    let right = none("tests/audit/right.yaml")
+        .unwrap()
+        .replace("../../examples", "examples")
+        .replace("plate.nc", "tests/audit/plate.nc");
+    let right = right.replace("setting: plate", "setting: tests/audit/plate");
+    let of = |text: &str| {
+        let audit = AUDITOR.audit(&read_plan("plan.yaml", text, &KNOWLEDGE, &none).unwrap()).unwrap();
+        let slips = audit.findings.into_iter().filter(|one| one.is_wrong() && one.follows_from.is_empty());
+        slips.map(|one| format!("{} {} {}", one.rule, one.field, one.stated.unwrap_or_default())).collect::<Vec<_>>()
+    };
+    assert_eq!(of(&right), [""; 0]);
+    assert_eq!(of(&right.replacen("distance: 283", "distance: -283", 1)), ["audit-impossible distance -283"]);
+    assert_eq!(of(&right.replacen("distance: 283", "distance: 0", 1)), ["audit-impossible distance 0"]);
+    assert_eq!(of(&right.replacen("count: 6", "count: 6.5", 1)), ["audit-impossible count 6.5"]);
+}
