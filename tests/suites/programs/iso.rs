@@ -9,6 +9,7 @@ use std::sync::LazyLock;
 use proptest::prelude::*;
 use technolog::machine::Machine;
 use technolog::motion::{Axis, Motion, MotionStep, Position, Sense, Turning};
+use technolog::program::setting::Before;
 use technolog::program::{Fault, Language, Setting};
 use technolog::tables::controls::iso::ActiveComments;
 use technolog_testing::KNOWLEDGE;
@@ -98,6 +99,8 @@ fn the_motions_for_linuxcnc_are_those_of_its_own_interpreter() {
         let Some(theirs) = read("rs274") else { panic!("{} has no rs274: see the README there", folder.display()) };
         let machine = Machine::find(&KNOWLEDGE, read("machine").as_deref().map_or("ir500pmf4", str::trim)).unwrap();
         let setting = read("setting.yaml").map_or_else(Setting::default, |text| LINUXCNC.setting("", &text).unwrap());
+        // rs274 has just been started.
+        let setting = Setting { before: Before::PoweredOn, ..setting };
         let mut steps = Vec::<MotionStep>::new();
         let faults = LINUXCNC.check(&read("program.ngc").unwrap(), &machine, &setting, &mut steps);
         let errors: Vec<&str> = faults.iter().filter(|fault| fault.is_error()).map(|fault| fault.code).collect();
