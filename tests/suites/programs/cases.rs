@@ -123,8 +123,12 @@ fn a_program_alone_sets_the_modes_that_it_relies_on() {
         let language = Language::read(control, &KNOWLEDGE).unwrap();
         let setting = Setting { before, ..Setting::default() };
         let faults = language.check(text, &machine, &setting, &mut Trace::default());
-        let left = faults.into_iter().filter(|fault| ["mode-left-over", "habit-left-over", "height-unknown"].contains(&fault.code));
-        let words = |fault: &Fault| fault.note.figures().find(|(name, _)| *name == "words").map(|(_, it)| it.text().into_owned());
+        let left = faults
+            .into_iter()
+            .filter(|fault| ["mode-left-over", "habit-left-over", "height-unknown"].contains(&fault.code));
+        let words = |fault: &Fault| {
+            fault.note.figures().find(|(name, _)| *name == "words").map(|(_, it)| it.text().into_owned())
+        };
         left.map(|fault| (words(&fault).unwrap_or_else(|| fault.code.to_owned()), fault.severity)).collect()
     };
     let wrong = |words: &str| (words.to_owned(), Severity::Wrong);
@@ -213,8 +217,7 @@ fn the_command_tells_line_caret_and_rule_and_its_exit_code() {
     assert_eq!(code, Some(1), "{text}");
     assert!(text.contains("say as_powered_on: true in the file of --setting"), "{text}");
     let setting = "tests/programs/arcs-absolute/setting.yaml";
-    let (code, text) =
-        technolog(&["check", &arcs, "--control", "2c42-65", "--setting", setting, "--format", "json"]);
+    let (code, text) = technolog(&["check", &arcs, "--control", "2c42-65", "--setting", setting, "--format", "json"]);
     assert_eq!(code, Some(0), "{text}");
     let json: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(json["trace"][1]["motion"], "arc", "{text}");

@@ -56,5 +56,6 @@ fn a_plan_takes_as_long_as_its_program() {
     }
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
+    println!("{} to {}, {median} in the middle", ratios[0], ratios[ratios.len() - 1]);
     assert!(ratios.len() > 150 && (median - 1.0).abs() < 0.02, "{median} of {}", ratios.len());
 }

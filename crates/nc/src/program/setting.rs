@@ -187,7 +187,9 @@ pub fn read_setting(file: &str, text: &str, limits: &Limits) -> Result<Setting, 
     let mut problems = Problems(diagnostics);
     let setting = root.and_then(|root| read(&root, limits, &mut problems));
     match setting {
-        Some(setting) if !problems.0.iter().any(|problem| problem.severity == diagnostic::Severity::Error) => Ok(setting),
+        Some(setting) if !problems.0.iter().any(|problem| problem.severity == diagnostic::Severity::Error) => {
+            Ok(setting)
+        }
         _ => {
             problems.0.sort_by(|a, b| a.place.cmp(&b.place));
             Err(problems.0)
@@ -202,10 +204,7 @@ fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting
         setting.start = position(node, limits, problems);
     }
     setting.fixed_point = fields.take("fixed_point").map(|node| position(node, limits, problems));
-    for (key, slot) in [
-        ("skip", &mut setting.skip),
-        ("optional_stop", &mut setting.optional_stop),
-    ] {
+    for (key, slot) in [("skip", &mut setting.skip), ("optional_stop", &mut setting.optional_stop)] {
         if let Some(value) = fields.take(key).and_then(|node| problems.boolean(node)) {
             *slot = value;
         }
