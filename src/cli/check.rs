@@ -158,7 +158,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let mut problems: Vec<Diagnostic> =
                 reported.iter().map(|(fault, others)| of_group(fault, others, &file, context)).collect();
             if args.control.is_none() && faults.iter().any(|fault| OF_ANOTHER_LANGUAGE.contains(&fault.code)) {
-                let message = say!(context.lang, "check-read-as", control = context.lang.term("control", control));
+                let message = say!(context.lang, "check-read-as", control = control);
                 let help = say!(context.lang, "check-read-as-other", controls = Language::names(knowledge).join(", "));
                 let read_as = Diagnostic::error("read-as", message, None).help(help);
                 problems.insert(0, Diagnostic { severity: Severity::Note, ..read_as });
@@ -244,7 +244,7 @@ fn refuse_lathe(text: &str, control: &str, context: &Context) -> Result<(), CliE
         return Ok(());
     }
     let named: Vec<String> = controls.iter().map(|control| format!("--control {}", control.name())).collect();
-    let message = say!(context.lang, "check-of-lathe", control = context.lang.term("control", control));
+    let message = say!(context.lang, "check-of-lathe", control = control);
     let help = say!(context.lang, "check-name-lathe", controls = named.join(", "));
     Err(Diagnostic::error("program-of-lathe", message, None).help(help).into())
 }
