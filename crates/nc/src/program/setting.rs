@@ -82,8 +82,8 @@ pub struct Setting {
 pub enum Before {
     /// Nothing is said of it: another program, its breaking off or a block by hand may have left its modes. A program that
     /// relies on plane, units, distances, corrections or a cycle without setting them is wrong. Doubtful is what many shops
-    /// hold by habit: the system of coordinates, the height of the quill, and of a single tool the length with which its zero
-    /// was set.
+    /// hold by habit: the system of coordinates, the height of the quill, and of a tool that no M6 has brought the length with
+    /// which its zero was set and that its radius is not corrected.
     #[default]
     Unsaid,
     /// It was switched on just now: what acts is known.

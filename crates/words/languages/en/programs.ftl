@@ -128,7 +128,7 @@ mode-left-over = the block relies on a mode that the program never sets ({ $word
         [unsaid] {" "}(or, where the control is always switched on just before, say as_powered_on: true in the file of --setting)
        *[programs] {""}
     }
-habit-left-over = the block relies on what the program never sets ({ $words }): by habit G54 and the length with which the zero was set act, but another program may have left something else
+habit-left-over = the block relies on what the program never sets ({ $words }): what is usual here is taken, but another program may have left something else
     .help = set it in the first block: { $words }
 height-unknown = a way along X or Y before the program has brought Z anywhere: the quill may be down
     .help = raise the quill in a block before: G53 G0 Z0

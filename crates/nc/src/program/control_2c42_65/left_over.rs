@@ -37,7 +37,7 @@ impl Maker<'_> {
         let safe = |group: usize| if group == LENGTH { 49 } else { self.control.power_on[group] };
         let tool = self.state.tool;
         let relied_on = relied_on.map(|(group, used)| {
-            let by_habit = group == SYSTEM || (group == LENGTH && tool == 0);
+            let by_habit = group == SYSTEM || (matches!(group, LENGTH | RADIUS) && tool == 0);
             ReliedOn { group, word: format!("G{}", safe(group)), used, by_habit }
         });
         for (code, note) in never_set(&mut self.state.own, self.setting.before, relied_on) {

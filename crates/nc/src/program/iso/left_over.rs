@@ -44,7 +44,7 @@ impl Maker<'_> {
         ];
         let tool = self.state.tool;
         let relied_on = relied_on.map(|(group, word, used)| {
-            let by_habit = group == Group::System || (group == Group::Length && tool == 0);
+            let by_habit = group == Group::System || (matches!(group, Group::Length | Group::Radius) && tool == 0);
             ReliedOn { group: group as usize, word: word.to_owned(), used, by_habit }
         });
         for (code, note) in never_set(&mut self.state.own, self.setting.before, relied_on) {
