@@ -158,6 +158,17 @@ fn a_holder_meets_an_obstacle_beside_the_hole() {
     assert_eq!(codes(&beside(20, 1, 80)), [""; 0]);
     let found = codes(&beside(60, 1, 80));
     assert!(found.contains(&"holder-unknown") && !found.contains(&"through-obstacle"), "{found:?}");
+    // 20 mm are free beside the axis, and 48.75 mm are half the collar: the setter is told both.
+    let near = bench(&beside(60, 1, 80));
+    let (_, language) = &LANGUAGES[0];
+    let proof = near.run(language, &near.written(language)).1;
+    let told = proof.findings.iter().find(|one| one.code.name() == "holder-unknown").unwrap();
+    let figure = |name: &str| {
+        let (_, value) = told.note.figures().find(|(known, _)| *known == name).unwrap();
+        value.text().parse::<f64>().unwrap()
+    };
+    assert!((figure("free") - 40.0).abs() < 0.003 && (figure("aside") - 28.75).abs() < 0.003, "{:?}", told.note);
+    assert_eq!(codes(&beside(60, 1, 109)), [""; 0]);
     // Beyond the collar there is nothing that low.
     assert_eq!(codes(&beside(60, 1, 110)), [""; 0]);
     let found = codes(&beside(190, 1, 110));

@@ -232,6 +232,9 @@ fn words_mean_what_the_manuals_say() {
         ("2c42-65", "N6 G85 U1 Z-5 M5", vec!["M5: spindle state at point 4: spindle stop"]),
         ("2c42-65", "N7 H12 X10", vec!["H12: length offset register", "X10: motion along X to 10 mm"]),
         ("2c42-65", "N8 M8", vec!["M8: coolant on"]),
+        // Of an arc I is the centre alone; beside G10, in a helix, one of I, J, K is the pitch.
+        ("2c42-65", "N8 G2 I-27.4 J0 F100", vec!["I-27.4: from the start of an arc to its centre along X = -27.4 mm"]),
+        ("2c42-65", "N8 G10 G2 X1 Y1 I5 J0 Z-1 F100 K2", vec!["pitch of a helix = 2 mm"]),
         ("2c42-65", "N9 G99", vec!["G99: the control's tables do not know this word"]),
         (
             "linuxcnc",

@@ -32,8 +32,7 @@ fn part(number: usize) -> String {
     text
 }
 
-/// Within 2 % in the middle and never more than 7 % off: programs round feeds down to whole millimetres a minute, and LinuxCNC's
-/// cycles feed taps and reamers out to the level of travel.
+/// Within 2 % in the middle and never more than 5 % off: programs round feeds down to whole millimetres a minute.
 #[test]
 fn a_plan_takes_as_long_as_its_program() {
     let control = Language::read("linuxcnc", &KNOWLEDGE).unwrap();
@@ -52,10 +51,11 @@ fn a_plan_takes_as_long_as_its_program() {
         control.check(&text, &bench.machine, &bench.setting, &mut sink);
         let time = bench.plan.time;
         let ratio = (time.total_min.0 - time.hand_min.0) / sink.1.times().total_min.0;
-        assert!((ratio - 1.0).abs() < 0.07, "{ratio}: {time:?}, {:?}\n{}", sink.1.times(), part(number));
+        assert!((ratio - 1.0).abs() < 0.05, "{ratio}: {time:?}, {:?}\n{}", sink.1.times(), part(number));
         ratios.push(ratio);
     }
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
+    println!("{} to {}, {median} in the middle", ratios[0], ratios[ratios.len() - 1]);
     assert!(ratios.len() > 150 && (median - 1.0).abs() < 0.02, "{median} of {}", ratios.len());
 }

@@ -1,11 +1,39 @@
 //! What the program before may have left: what every control asks of it alike.
 
-/// The words of those groups that a block relies on and that the program has never set: there what the program before has left
-/// acts. Each is told once. A group is given by its number in `own`, its word, and whether the block relies on it.
-pub(super) fn never_set<W>(own: &mut [bool], relied_on: impl IntoIterator<Item = (usize, W, bool)>) -> Vec<W> {
-    let first =
-        |(group, word, used): (usize, W, bool)| (used && !std::mem::replace(&mut own[group], true)).then_some(word);
-    relied_on.into_iter().filter_map(first).collect()
+use super::setting::Before;
+use crate::note::Note;
+
+/// A group of modes that a block may rely on.
+pub(super) struct ReliedOn {
+    /// Its number in `own`.
+    pub group: usize,
+    /// The word that sets it.
+    pub word: String,
+    /// Whether the block relies on it.
+    pub used: bool,
+    /// Whether habit may hold it ([`Before::Unsaid`]).
+    pub by_habit: bool,
+}
+
+/// What is told of those groups that a block relies on and that the program has never set: there what the program before has
+/// left acts. Each is told once.
+pub(super) fn never_set(
+    own: &mut [bool],
+    before: Before,
+    relied_on: impl IntoIterator<Item = ReliedOn>,
+) -> Vec<(&'static str, Note)> {
+    let mut words = [Vec::new(), Vec::new()];
+    for ReliedOn { group, word, used, by_habit } in relied_on {
+        if used && !std::mem::replace(&mut own[group], true) {
+            words[usize::from(by_habit && before == Before::Unsaid)].push(word);
+        }
+    }
+    let told = ["mode-left-over", "habit-left-over"].into_iter().zip(words).filter(|(_, words)| !words.is_empty());
+    let note = |code: &'static str, words: Vec<String>| match code {
+        "mode-left-over" => Note::new(code).with("words", words.join(", ")).with("before", before.word()),
+        _ => Note::new(code).with("words", words.join(", ")),
+    };
+    told.map(|(code, words)| (code, note(code, words))).collect()
 }
 
 /// Whether a way along X or Y comes before the program has brought Z anywhere: the quill may be down. It is told once.

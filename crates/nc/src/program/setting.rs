@@ -7,9 +7,10 @@ use std::fmt::Write;
 use technolog_note::note;
 
 use crate::job::Job;
-use crate::knowledge::diagnostic::{Diagnostic, Severity};
+use crate::knowledge::diagnostic::{self, Diagnostic};
 use crate::knowledge::yaml::{Node, Problems, parse};
 use crate::motion::{Axis, Position};
+use crate::note::Severity;
 use crate::units::Micrometres;
 
 /// The parts of a setting that a control has.
@@ -72,9 +73,35 @@ pub struct Setting {
     pub g73_retract: Option<Micrometres>,
     /// What a length without a point counts, where the owner has said so.
     pub decimal: Option<DecimalInput>,
-    /// Whether the control is as after power-on when the program begins. Otherwise modes may be left over from the
-    /// program before, and a program that relies on one without setting it is wrong.
-    pub as_powered_on: bool,
+    /// What is known of the control when the program begins.
+    pub before: Before,
+}
+
+/// What is known of the control when a program begins.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Before {
+    /// Nothing is said of it: another program, its breaking off or a block by hand may have left its modes. A program that
+    /// relies on plane, units, distances, corrections or a cycle without setting them is wrong. Doubtful is what many shops
+    /// hold by habit: the system of coordinates, the height of the quill, and of a tool that no M6 has brought the length with
+    /// which its zero was set and that its radius is not corrected.
+    #[default]
+    Unsaid,
+    /// It was switched on just now: what acts is known.
+    PoweredOn,
+    /// Other programs ran: whatever the program relies on it must set.
+    OtherPrograms,
+}
+
+impl Before {
+    /// How grave it is that the program relies on what it never sets, where habit may hold it.
+    pub(super) fn of_habit(self) -> Severity {
+        if self == Self::Unsaid { Severity::Doubtful } else { Severity::Wrong }
+    }
+
+    /// Its word in messages.
+    pub(super) fn word(self) -> String {
+        if self == Self::Unsaid { "unsaid" } else { "programs" }.to_owned()
+    }
 }
 
 impl Default for Setting {
@@ -94,7 +121,7 @@ impl Default for Setting {
             g83_clearance: None,
             g73_retract: None,
             decimal: None,
-            as_powered_on: true,
+            before: Before::Unsaid,
         }
     }
 }
@@ -103,7 +130,7 @@ impl Setting {
     /// The setting for a job: the zeros of its set-ups in G54, G55, and the offset registers. Other programs ran
     /// before its own.
     pub fn of_job(job: &Job) -> Self {
-        let mut setting = Self { as_powered_on: false, ..Self::default() };
+        let mut setting = Self { before: Before::OtherPrograms, ..Self::default() };
         for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
             *zero = Axis::ALL.map(|axis| Some(setup.zero.get(axis)));
         }
@@ -160,7 +187,9 @@ pub fn read_setting(file: &str, text: &str, limits: &Limits) -> Result<Setting, 
     let mut problems = Problems(diagnostics);
     let setting = root.and_then(|root| read(&root, limits, &mut problems));
     match setting {
-        Some(setting) if !problems.0.iter().any(|problem| problem.severity == Severity::Error) => Ok(setting),
+        Some(setting) if !problems.0.iter().any(|problem| problem.severity == diagnostic::Severity::Error) => {
+            Ok(setting)
+        }
         _ => {
             problems.0.sort_by(|a, b| a.place.cmp(&b.place));
             Err(problems.0)
@@ -175,14 +204,13 @@ fn read(root: &Node, limits: &Limits, problems: &mut Problems) -> Option<Setting
         setting.start = position(node, limits, problems);
     }
     setting.fixed_point = fields.take("fixed_point").map(|node| position(node, limits, problems));
-    for (key, slot) in [
-        ("skip", &mut setting.skip),
-        ("optional_stop", &mut setting.optional_stop),
-        ("as_powered_on", &mut setting.as_powered_on),
-    ] {
+    for (key, slot) in [("skip", &mut setting.skip), ("optional_stop", &mut setting.optional_stop)] {
         if let Some(value) = fields.take(key).and_then(|node| problems.boolean(node)) {
             *slot = value;
         }
+    }
+    if let Some(value) = fields.take("as_powered_on").and_then(|node| problems.boolean(node)) {
+        setting.before = if value { Before::PoweredOn } else { Before::OtherPrograms };
     }
     let mut keys = KEYS.to_vec();
     if limits.panel_2c42_65 {

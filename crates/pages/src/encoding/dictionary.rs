@@ -236,6 +236,12 @@ impl Dictionary {
         }
         let Some(meaning) = address else { return unknown(lang) };
         let text = meaning.text(false, lang);
+        // Behind the semicolon stands what they are beside G10, in a helix: in an arc they are its centre.
+        let helix = || block.iter().any(|word| code(word).as_deref() == Some("G10"));
+        let text = match text.split_once(';') {
+            Some((centre, _)) if matches!(letter, 'I' | 'J' | 'K') && !helix() => centre,
+            _ => text,
+        };
         let between = match letter {
             'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if is_motion && modes.incremental => "encoding-moves-by",
             'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' if is_motion => "encoding-moves-to",

@@ -176,6 +176,8 @@ vocabulary! {
         TapStartsSpindle = "tap-starts-spindle",
         MacroWords = "macro-words",
         ChangeStopsSpindle = "change-stops-spindle",
+        StopStopsSpindle = "stop-stops-spindle",
+        StopLeavesSpindle = "stop-leaves-spindle",
         LengthsInOffsets = "lengths-in-offsets",
         ArcCentreInPlane = "arc-centre-in-plane",
         ToolTakenOut = "tool-taken-out",

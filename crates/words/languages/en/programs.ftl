@@ -82,6 +82,10 @@ no-tool = M06, and no tool T is named
     .help = name T in this block or before it
 turning-at-change = M06 while the spindle turns
     .help = stop the spindle in a block before: M05
+stop-turning = M0 leaves the spindle turning while the program waits for the operator
+    .help = stop the spindle before it: M5
+stop-turning-maybe = the spindle turns at M0, and not every machine of this control stops it there
+    .help = stop the spindle before it: M5
 change-elsewhere = the tool is changed at { $at }, and the place for it is { $place }
     .help = bring table and quill there first
 spindle-without-speed = the spindle is started without a speed S
@@ -116,7 +120,15 @@ dwell-without-time = G04 without a time E
     .help = give E in tenths of a second
 time-without-dwell = a time E, and neither G04 nor a cycle before it that waits
     .help = write G04 before E, or put E behind the function of the cycle
-mode-left-over = the block relies on a mode that the program never sets ({ $words }): what the program before left acts
+mode-left-over = the block relies on a mode that the program never sets ({ $words }): { $before ->
+        [unsaid] what another program, one that was broken off, or a block by hand has left may act
+       *[programs] what the program before left acts
+    }
+    .help = set it in the first block: { $words }{ $before ->
+        [unsaid] {" "}(or, where the control is always switched on just before, say as_powered_on: true in the file of --setting)
+       *[programs] {""}
+    }
+habit-left-over = the block relies on what the program never sets ({ $words }): what is usual here is taken, but another program may have left something else
     .help = set it in the first block: { $words }
 height-unknown = a way along X or Y before the program has brought Z anywhere: the quill may be down
     .help = raise the quill in a block before: G53 G0 Z0

@@ -168,6 +168,9 @@ control-2c42-65 = 2С42-65
 control-nc-201 = NC-201
 control-linuxcnc = LinuxCNC
 control-fanuc = Fanuc
+control-haas-ngc = Haas NGC
+control-mach3 = Mach3
+control-grbl = GRBL
 control-sinumerik = Sinumerik
 # The feeds of a turned part's file.
 rate-infeed = врізання (`infeed`)

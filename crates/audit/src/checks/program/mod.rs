@@ -18,6 +18,7 @@ use crate::motion::{Axis, Motion, MotionStep, Position};
 use crate::note::{Note, Severity};
 use crate::plan::{HolePlan, Operation, Plan};
 use crate::program::proof::{self, Code, ProofInput, Tolerated, prove};
+use crate::program::setting::Before;
 use crate::program::{Fault, Setting, is_run, path};
 use crate::units::Micrometres;
 
@@ -94,7 +95,7 @@ pub(super) fn check<'a>(
 /// The operator's setting; what it leaves out is as the plan states it.
 fn set(context: &Context<'_>, mut setting: Setting, plan: Option<(&Plan, &job::Job)>) -> Setting {
     // As in the proof: other programs ran before.
-    setting.as_powered_on = false;
+    setting.before = Before::OtherPrograms;
     let Some((plan, job)) = plan else { return setting };
     for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
         for axis in Axis::ALL {

@@ -74,7 +74,7 @@ impl Maker<'_> {
     }
 
     /// Reports a fault, once however often the block is repeated.
-    fn tell_fault(&mut self, fault: Fault) {
+    pub(super) fn tell_fault(&mut self, fault: Fault) {
         if !self.faults.iter().any(|reported| reported.code == fault.code && reported.span == fault.span) {
             self.faults.push(fault);
         }
@@ -224,13 +224,21 @@ impl Maker<'_> {
             Action::Stop => {
                 // For the same holes the operator may change the setting of the tool, such as a boring bar.
                 self.holes.clear();
-                self.push(Motion::Stop { optional: false });
+                self.stop(false, function.span);
             }
             // Without the operator's SI it does not stop (4.2.4.2).
-            Action::OptionalStop if self.setting.optional_stop => self.push(Motion::Stop { optional: true }),
+            Action::OptionalStop if self.setting.optional_stop => self.stop(true, function.span),
             Action::ToolChange => self.tool_change(function, words),
             Action::OptionalStop | Action::End | Action::Return => {}
         }
+    }
+
+    /// M00 and M01: the program holds, and hands may come near the spindle. Whether it stands then is a matter of the machine.
+    fn stop(&mut self, optional: bool, span: TextSpan) {
+        if self.state.turning != Turning::Stopped {
+            self.fault("stop-turning-maybe", span);
+        }
+        self.push(Motion::Stop { optional });
     }
 
     /// M06: the tool of T is put into the spindle, which stops for that time.

@@ -1,11 +1,12 @@
 //! What the program before may have left: modes that this one relies on and has never set, and the height of the quill.
 
-use super::super::left_over::{height_unknown, never_set};
+use super::super::left_over::{ReliedOn, height_unknown, never_set};
 use super::block::Maker;
+use super::rules::fault;
 use super::state::{CYCLE, DISTANCE, LENGTH, PLANE, RADIUS, SYSTEM};
 use super::words::BlockWords;
 use crate::motion::Axis;
-use crate::note::IntoFigure;
+use crate::program::Fault;
 
 impl Maker<'_> {
     /// Tells of the groups that the block relies on and that the program has never set.
@@ -19,7 +20,8 @@ impl Maker<'_> {
         let cycle = words.cycle.is_some();
         let arc = matches!(self.motion_function(), 2 | 3) && (moves || words.centre.iter().any(Option::is_some));
         if height_unknown(&mut self.state.height_known, names(Axis::Z), names(Axis::X) || names(Axis::Y)) {
-            self.fault("height-unknown", self.span);
+            let severity = self.setting.before.of_habit();
+            self.tell_fault(Fault { severity, ..fault("height-unknown", self.span, self.block.number) });
         }
         // A position of the machine is one in increments, too.
         let positions = cycle || (moves && self.state.groups[SYSTEM] != 53);
@@ -33,10 +35,13 @@ impl Maker<'_> {
         ];
         // G49 is what a safe start says of the length, though G43 acts after power-on.
         let safe = |group: usize| if group == LENGTH { 49 } else { self.control.power_on[group] };
-        let unset = never_set(&mut self.state.own, relied_on.map(|(group, used)| (group, group, used)));
-        let wanted: Vec<String> = unset.into_iter().map(|group| format!("G{}", safe(group))).collect();
-        if !wanted.is_empty() {
-            self.report("mode-left-over", self.span, &[("words", wanted.join(", ").into_figure())]);
+        let tool = self.state.tool;
+        let relied_on = relied_on.map(|(group, used)| {
+            let by_habit = group == SYSTEM || (matches!(group, LENGTH | RADIUS) && tool == 0);
+            ReliedOn { group, word: format!("G{}", safe(group)), used, by_habit }
+        });
+        for (code, note) in never_set(&mut self.state.own, self.setting.before, relied_on) {
+            self.tell_note(code, self.span, note);
         }
     }
 }

@@ -50,6 +50,7 @@ pub(super) const RULES: &[Rule] = &[
     ("run-too-long", Error, "*"),
     // The limits of the machine.
     ("mode-left-over", Wrong, "3.10*"),
+    ("habit-left-over", Warning, "3.10*"),
     ("height-unknown", Wrong, "3.13.3* (4)"),
     ("feed-beyond-machine", Error, "3.9.2"),
     ("speed-beyond-machine", Error, "3.13.1"),
@@ -59,6 +60,7 @@ pub(super) const RULES: &[Rule] = &[
     ("no-tool", Error, "3.13.2*"),
     ("tool-not-brought", Wrong, "3.13.2*"),
     ("turning-at-change", Wrong, "3.13.2*"),
+    ("stop-turning-maybe", Warning, "4.2.4.2*"),
     ("change-elsewhere", Warning, "5.2 (11.1)"),
     ("spindle-without-speed", Error, "3.13.1*"),
     ("feed-without-spindle", Error, "3.13.1*"),

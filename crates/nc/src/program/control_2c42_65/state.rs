@@ -6,6 +6,7 @@ use crate::motion::{Axis, Position, Turning};
 use crate::program::Setting;
 use crate::program::brought::Registers;
 use crate::program::limits::Floating;
+use crate::program::setting::Before;
 use crate::units::Micrometres;
 
 /// Groups of table 3.5 by their subject.
@@ -72,8 +73,8 @@ impl ControlState {
         Self {
             groups: control.power_on,
             // After power-on what acts is known, too.
-            own: [setting.as_powered_on; GROUPS],
-            height_known: setting.as_powered_on,
+            own: [setting.before == Before::PoweredOn; GROUPS],
+            height_known: setting.before == Before::PoweredOn,
             feed: 0,
             speed: 0,
             turning: Turning::Stopped,

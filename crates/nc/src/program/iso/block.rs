@@ -254,8 +254,8 @@ impl Maker<'_> {
             }
             // Where there is no M6, the operator changes the tool that T names at the stop.
             Action::Stop if words.get('T').is_some() && !self.control.changes_tools() => self.change_by_hand(function),
-            Action::Stop => self.push(Motion::Stop { optional: false }),
-            Action::OptionalStop if self.setting.optional_stop => self.push(Motion::Stop { optional: true }),
+            Action::Stop => self.stop(false, function.span),
+            Action::OptionalStop if self.setting.optional_stop => self.stop(true, function.span),
             Action::ToolChange => self.tool_change(function),
             // The run looks up what is called; the words are used here.
             Action::Call => {
@@ -281,6 +281,22 @@ impl Maker<'_> {
             }
             Action::OptionalStop | Action::End | Action::Return => {}
         }
+    }
+
+    /// M0 and M1: the program holds, and hands may come near the spindle.
+    fn stop(&mut self, optional: bool, span: TextSpan) {
+        if self.control.is(Q::StopStopsSpindle) {
+            if self.state.turning != Turning::Stopped {
+                self.spindle(Turning::Stopped);
+            }
+            if std::mem::take(&mut self.state.coolant) {
+                self.push(Motion::Coolant { on: false });
+            }
+        } else if self.state.turning != Turning::Stopped {
+            let leaves = self.control.is(Q::StopLeavesSpindle);
+            self.fault(if leaves { "stop-turning" } else { "stop-turning-maybe" }, span);
+        }
+        self.push(Motion::Stop { optional });
     }
 
     /// T and M0: the operator changes the tool, and a spindle that the control does not stop would meet the hand.

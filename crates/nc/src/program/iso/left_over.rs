@@ -1,11 +1,10 @@
 //! What the program before may have left: modes that this one relies on and has never set, and the height of the quill.
 
-use super::super::left_over::{height_unknown, never_set};
+use super::super::left_over::{ReliedOn, height_unknown, never_set};
 use super::block::Maker;
 use super::control::{Characteristic as Q, Effect, Group};
 use super::words::BlockWords;
 use crate::motion::Axis;
-use crate::note::IntoFigure;
 
 impl Maker<'_> {
     /// Tells of the groups that the block relies on and that the program has never set.
@@ -29,7 +28,7 @@ impl Maker<'_> {
             return;
         }
         if height_unknown(&mut self.state.height_known, names(Axis::Z), names(Axis::X) || names(Axis::Y)) {
-            self.fault("height-unknown", self.span);
+            self.fault("height-unknown", self.span).severity = self.setting.before.of_habit();
         }
         let on_machine = words.one_shot(Effect::MachinePosition, self.control).is_some();
         let relied_on = [
@@ -43,10 +42,13 @@ impl Maker<'_> {
             (Group::Length, "G49", names(Axis::Z) && !on_machine),
             (Group::System, "G54", !on_machine && words.one_shot(Effect::Return, self.control).is_none()),
         ];
-        let relied_on = relied_on.map(|(group, word, used)| (group as usize, word, used));
-        let wanted = never_set(&mut self.state.own, relied_on);
-        if !wanted.is_empty() {
-            self.report("mode-left-over", self.span, &[("words", wanted.join(", ").into_figure())]);
+        let tool = self.state.tool;
+        let relied_on = relied_on.map(|(group, word, used)| {
+            let by_habit = group == Group::System || (matches!(group, Group::Length | Group::Radius) && tool == 0);
+            ReliedOn { group: group as usize, word: word.to_owned(), used, by_habit }
+        });
+        for (code, note) in never_set(&mut self.state.own, self.setting.before, relied_on) {
+            self.fault(code, self.span).note = note;
         }
     }
 }

@@ -48,6 +48,7 @@ pub(super) const RULES: &[Rule] = &[
     ("run-too-long", Error, "calls"),
     // The limits of the machine. What the control carries out all the same is wrong and traced.
     ("mode-left-over", Wrong, "blocks"),
+    ("habit-left-over", Warning, "blocks"),
     ("height-unknown", Wrong, "blocks"),
     ("feed-beyond-machine", Wrong, "machine"),
     ("speed-beyond-machine", Wrong, "machine"),
@@ -67,6 +68,8 @@ pub(super) const RULES: &[Rule] = &[
     ("span-beyond-travel", Wrong, "machine"),
     ("cannot-tap", Error, "machine"),
     ("turning-at-change", Wrong, "machine"),
+    ("stop-turning", Wrong, "machine"),
+    ("stop-turning-maybe", Warning, "machine"),
     ("change-stops-spindle", Remark, "machine"),
     ("no-length-offset", Wrong, "machine"),
     ("length-by-hand", Warning, "machine"),

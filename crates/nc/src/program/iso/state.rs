@@ -10,6 +10,7 @@ use crate::motion::{Axis, Plane, Position, Turning};
 use crate::program::Setting;
 use crate::program::brought::Registers;
 use crate::program::limits::Floating;
+use crate::program::setting::Before;
 use crate::units::Micrometres;
 
 /// The function in force in every group.
@@ -102,8 +103,8 @@ impl ControlState {
         let mut state = Self {
             modes: [None; Group::NAMES.len()],
             // After power-on what acts is known, too.
-            own: [setting.as_powered_on; Group::NAMES.len()],
-            height_known: setting.as_powered_on,
+            own: [setting.before == Before::PoweredOn; Group::NAMES.len()],
+            height_known: setting.before == Before::PoweredOn,
             passes: false,
             tap_prepared: false,
             feed: 0.0,

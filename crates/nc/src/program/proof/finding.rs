@@ -155,6 +155,9 @@ named! {
         Way = "way",
         Whose = "whose",
         Diameter = "diameter",
+        Free = "free",
+        Aside = "aside",
+        Lower = "lower",
         Word = "word",
     }
 }

@@ -2,7 +2,7 @@
 
 use super::compare::CutAtStop;
 use super::cuts::{Circle, TOLERANCE, same_position};
-use super::walk::TipMotion;
+use super::walk::{TipMotion, TipMove};
 use super::{Code, Name, ProgramFinding};
 use crate::motion::{Sense, geometry};
 use crate::note::Severity;
@@ -62,14 +62,18 @@ pub(super) fn circles(
         findings.push(say.finding(Code::Oblique, Severity::Doubtful).with(Name::Z, oblique.to[2]));
     }
     // It enters and leaves in the middle, where there is room.
-    let aside = say.cut.moves.iter().find(|made| {
+    let aside = |made: &&TipMove| {
         !made.across()
             && made.moves()
             && !(same_position(made.to[0], say.cut.at[0]) && same_position(made.to[1], say.cut.at[1]))
-    });
-    if let Some(made) = aside {
+    };
+    // Down at feed it may go into the metal that the hole is milled out of: few mills drill.
+    let plunges = |made: &&TipMove| matches!(made.motion, TipMotion::Feed(_)) && made.to[2] < made.from[2];
+    let plunge = say.cut.moves.iter().find(|made| aside(made) && plunges(made));
+    if let Some(made) = plunge.or_else(|| say.cut.moves.iter().find(aside)) {
+        let severity = if plunge.is_some() { Severity::Wrong } else { Severity::Doubtful };
         findings.push(
-            say.finding(Code::NotInTheMiddle, Severity::Doubtful)
+            say.finding(Code::NotInTheMiddle, severity)
                 .with(Name::To, [made.to[0], made.to[1]])
                 .with(Name::Z, made.to[2]),
         );

@@ -69,7 +69,18 @@ fn holder(
             let code = if body.known { Code::HolderThroughObstacle } else { Code::HolderUnknown };
             // A strap that the plan proposes may be chosen lower than its catalog has it.
             let severity = if one.proposed { Severity::Doubtful } else { by_thickness(body) };
-            return Some(say(code, severity, body, [one.at.x, one.at.y], face + one.height));
+            let found = say(code, severity, body, [one.at.x, one.at.y], face + one.height);
+            if body.known {
+                return Some(found);
+            }
+            // What a setter can do: measure the holder, or move the clamp by as much as is missing.
+            let free = free(motion, one, body.diameter.half());
+            return Some(
+                found
+                    .with(Name::Free, free + free)
+                    .with(Name::Aside, body.diameter.half() - free)
+                    .with(Name::Lower, face + one.height - (low + body.from)),
+            );
         }
     }
     // An opening wider than the holder lets it in.
@@ -84,6 +95,18 @@ fn widest(stay: &PointVisit, input: &ProofInput<'_>) -> Micrometres {
     let here = stops.filter(|stop| same_position(stop.at.x, stay.at[0]) && same_position(stop.at.y, stay.at[1]));
     let holes = here.filter_map(|stop| input.plan.holes.iter().find(|hole| hole.name == stop.hole));
     holes.flat_map(|hole| &hole.transitions).map(|made| made.diameter_mm).max().unwrap_or_default()
+}
+
+/// The largest radius, no larger than a given one that meets it, with which a motion passes beside what stands there, mm.
+fn free(motion: &TipMove, one: &Standing, meets: Micrometres) -> Micrometres {
+    let (mut passes, mut meets) = (0, meets.micrometres());
+    while meets - passes > 1 {
+        let middle = (passes + meets) / 2;
+        let hit = hits(motion, one, Micrometres::new(middle));
+        *(if hit { &mut meets } else { &mut passes }) = middle;
+    }
+    // Of a way over the clamp itself nothing passes.
+    Micrometres::new(passes)
 }
 
 fn hits(motion: &TipMove, one: &Standing, radius: Micrometres) -> bool {

@@ -8,6 +8,7 @@ use crate::knowledge::Knowledge;
 use crate::motion::{Axis, MotionStep, Position};
 use crate::note;
 use crate::plan::Plan;
+use crate::program::setting::Before;
 use crate::program::{Language, Setting};
 use crate::shop::Shop;
 use crate::units::Micrometres;
@@ -53,7 +54,7 @@ impl PlannedJob {
     ///
     /// Other programs may have run before the one that makes the part.
     pub fn set(&mut self, setting: &mut Setting) {
-        setting.as_powered_on = false;
+        setting.before = Before::OtherPrograms;
         for (setup, zero) in self.job.setups.iter().zip(&mut setting.zeros) {
             for axis in Axis::ALL {
                 zero[axis.index()].get_or_insert(setup.zero.get(axis));

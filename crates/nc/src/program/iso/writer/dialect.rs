@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::job::{self, Cycle};
 use crate::program::block::Block;
-use crate::program::iso::control::{Characteristic as Q, Control};
+use crate::program::iso::control::{Characteristic as Q, Control, Outwards};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 
 /// A block with its number.
@@ -151,8 +151,15 @@ impl Dialect<'_> {
         }
     }
 
-    /// The fixed cycle at a point, with return to the initial level (G98).
-    pub(super) fn cycle(self, cycle: &Cycle, lengths: impl Fn(Micrometres) -> Micrometres) -> Block {
+    /// Whether the fixed cycle goes out at feed as far as it goes, higher than where its feed begins.
+    pub(super) fn feeds_beyond(self, cycle: &Cycle) -> bool {
+        let (code, _) = fixed(cycle);
+        let known = self.0.cycles.get(&(i64::from(code) * 10));
+        cycle.out > cycle.begin && known.is_some_and(|known| known.outwards == Outwards::FeedToTheEnd)
+    }
+
+    /// The fixed cycle at a point, with the function of its return: to the initial level (98) or to where the feed begins (99).
+    pub(super) fn cycle(self, cycle: &Cycle, returns: u32, lengths: impl Fn(Micrometres) -> Micrometres) -> Block {
         let dwell = cycle.dwell_s.map(|time| self.dwell(time));
         let (code, step) = fixed(cycle);
         let mut words = format!("R{}", self.length(lengths(cycle.begin)));
@@ -166,7 +173,7 @@ impl Dialect<'_> {
             words += &format!(" P{dwell}");
         }
         words += &format!(" F{}", self.feed(cycle.feed_mm_per_min));
-        Block::new().g(98).g(code).word('Z', self.length(lengths(cycle.end))).cycle(words)
+        Block::new().g(returns).g(code).word('Z', self.length(lengths(cycle.end))).cycle(words)
     }
 }
 

@@ -19,7 +19,7 @@ pub(super) fn shared_points(job: &Job, form: Form, dialect: Dialect<'_>) -> Shar
     let mut counts = Shared::new();
     for work in job.setups.iter().flat_map(|setup| &setup.works) {
         for (cycle, stops) in runs(work) {
-            if !matches!(cycle.kind, job::CycleKind::Circles { .. }) {
+            if !matches!(cycle.kind, job::CycleKind::Circles { .. }) && !dialect.feeds_beyond(cycle) {
                 *counts.entry(further(stops, form, dialect)).or_insert(0) += 1;
             }
         }
@@ -87,6 +87,7 @@ impl ProgramWriter<'_> {
                 }
                 // Left out of the job (`Language::leave`): a thread cannot be cut by a feed that the spindle does not follow.
                 job::CycleKind::Tap { .. } if !dialect.has(cycle) => {}
+                _ if dialect.feeds_beyond(cycle) => self.one_by_one(cycle, stops, place),
                 _ if dialect.has(cycle) => self.fixed(cycle, to, stops, place, shared),
                 _ => self.expanded(cycle, stops, place),
             }
@@ -107,11 +108,28 @@ impl ProgramWriter<'_> {
         }
     }
 
+    /// A fixed cycle that would feed as far as the level of travel: at each point it ends where its feed began, and the rest of the
+    /// way up is at rapid.
+    fn one_by_one(&mut self, cycle: &Cycle, stops: &[Stop], place: Option<WorkRef>) {
+        let (form, dialect) = (self.form, self.dialect);
+        let number = stops.first().map(|stop| stop.cycle);
+        let up = Block::new().g(0).word('Z', dialect.length(form.grid(cycle.out)));
+        for (index, stop) in stops.iter().enumerate() {
+            let to = point(stop.at, form, dialect);
+            if index > 0 {
+                self.push_block(to.clone().g(0), LineRole::Point, place, number);
+            }
+            let words = dialect.cycle(cycle, 99, |value| form.grid(value));
+            self.push_block(words.with(&to), LineRole::Cycle, place, number);
+            self.push_block(up.clone(), LineRole::Cycle, place, number);
+        }
+    }
+
     /// A fixed cycle at its first point and the further ones.
     fn fixed(&mut self, cycle: &Cycle, to: Block, stops: &[Stop], place: Option<WorkRef>, shared: &Shared) {
         let (form, dialect) = (self.form, self.dialect);
         let number = stops.first().map(|stop| stop.cycle);
-        let words = dialect.cycle(cycle, |value| form.grid(value));
+        let words = dialect.cycle(cycle, 98, |value| form.grid(value));
         if let Some(block) = dialect.before_cycle(cycle) {
             self.push_block(block, LineRole::Spindle, place, number);
         }
