@@ -2,8 +2,10 @@
 //!
 //! - `hold`: whether the places of the clamps hold it against turning and tipping;
 //! - `fixture`: its kind, and how table, fixture and part are located;
-//! - `vice`: a vice, where clamps find no place.
+//! - `vice`: a vice, where clamps find no place;
+//! - `chains`: zeros by the dimensions of the drawing, and whether their chains close.
 
+mod chains;
 mod fixture;
 mod hold;
 mod vice;
@@ -92,7 +94,8 @@ pub fn vice_instead(
     }
 }
 
-pub use fixture::fixture;
+pub use chains::{Chains, chains};
+pub use fixture::{fixture, held_by};
 
 /// The force that a transition needs, by the formula that asks for more.
 struct Need<'p> {

@@ -13,6 +13,7 @@ use super::doubts::is_of_row;
 use super::words::say;
 use super::{Doubts, Lang};
 
+mod chains;
 mod conditions;
 pub(crate) mod route;
 mod set_up;

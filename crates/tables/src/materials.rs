@@ -21,7 +21,24 @@ vocabulary! {
     }
 }
 
+vocabulary! {
+    /// What errs when a part is set.
+    pub enum SettingErrorOf {
+        Straps = "straps",
+        Vice = "vice",
+        Touch = "touch",
+        Truing = "truing",
+    }
+}
+
 rows! {
+    /// Errors of setting a part.
+    pub struct SettingError of One("setting-errors") complete name {
+        name: Named<'t, SettingErrorOf>,
+        least: Micrometres,
+        most: Micrometres,
+    }
+
     /// Clamps by their designations.
     pub struct ClampDesignations of One("clamp-designations") {
         designation: &'t str,

@@ -8,6 +8,8 @@ use crate::part::{Face, Outline, Part, Point, Standing};
 use crate::tables::rules::{FixtureKind, HeldBy, PartLocating, TableKeying};
 use crate::units::{Micrometres, Newtons};
 
+use super::{Chain, PartZero};
+
 /// How the part is set up.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Setup {
@@ -17,6 +19,13 @@ pub struct Setup {
     /// The vice, where straps find no place on the face; without one the part lies on the table, or on what the file says.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vice: Option<Vice>,
+    /// The zeros of the part where the drawing says from where it dimensions its holes, the first for all that it does not
+    /// say it of.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub zeros: Vec<PartZero>,
+    /// The chains of the dimensions that are made here.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub chains: Vec<Chain>,
     /// How the part stands in each set-up.
     pub stands: Vec<Stand>,
 }
@@ -156,6 +165,9 @@ pub struct Stand {
     /// which is then on the other side.
     #[serde(default)]
     pub touched: Touched,
+    /// The other zeros of the set-up: of holes that the drawing dimensions from other sides.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub other_zeros: Vec<OtherZero>,
     /// From the zero of the drawing up to the face, which the reference tool touches; mm.
     pub face_mm: Micrometres,
     /// The tool that all lengths are counted from.
@@ -168,6 +180,19 @@ pub struct Stand {
     /// From there to the nearest clamp with a screw, mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start_to_clamp_mm: Option<Micrometres>,
+}
+
+/// Another zero of a set-up, found at other sides of each part.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OtherZero {
+    /// Its function: 55 for G55.
+    pub frame: u8,
+    /// As `sides_mm` of the set-up.
+    pub sides_mm: [Micrometres; 2],
+    /// Which sides these are.
+    pub touched: Touched,
+    /// The groups of holes that are counted from it.
+    pub holes: Vec<String>,
 }
 
 /// The sides of the part that an arbor touches, as it lies.

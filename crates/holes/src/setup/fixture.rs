@@ -3,9 +3,18 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note};
-use crate::plan::{FixturePlan, HeldBy, Plan};
+use crate::plan::{Clamping, FixturePlan, HeldBy, Plan, Vice};
 use crate::shop::Shop;
 use crate::tables::rules::{FixtureKeyingFor, FixtureKindFor, PartLocatingFor};
+
+/// What holds a part.
+pub const fn held_by(vice: Option<&Vice>, clamping: Option<&Clamping>) -> HeldBy {
+    match (vice, clamping) {
+        (Some(_), _) => HeldBy::Vice,
+        (None, Some(_)) => HeldBy::Straps,
+        (None, None) => HeldBy::Nothing,
+    }
+}
 
 /// The fixture of a plan with its findings; none where nothing is set up. A plate that springs under a drill is not stiff.
 ///
@@ -15,11 +24,7 @@ pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<Option<FixturePlan>, Know
     if plan.setup.stands.is_empty() {
         return Ok(None);
     }
-    let held = match (&plan.setup.vice, &plan.clamping) {
-        (Some(_), _) => HeldBy::Vice,
-        (None, Some(_)) => HeldBy::Straps,
-        (None, None) => HeldBy::Nothing,
-    };
+    let held = held_by(plan.setup.vice.as_ref(), plan.clamping.as_ref());
     let stiff = !technolog_proof::plate_springs(plan, shop)?;
     let ask = FixtureKindFor { held, stiff, family: false };
     let answer = shop.knowledge.ask(&ask)?;

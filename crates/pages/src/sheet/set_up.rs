@@ -4,10 +4,10 @@
 use crate::document::Document;
 use crate::note::{Figure, Note};
 use crate::part::{Face, Part};
-use crate::plan::{Clamping, FixturePlan, Plan, Stand, Vice};
+use crate::plan::{Clamping, FixturePlan, OtherZero, Plan, Stand, Touched, Vice};
 use crate::units::Micrometres;
 
-use super::{Lang, clamps_of, mark, rounded, say, weak_screw};
+use super::{Lang, chains, clamps_of, mark, rounded, say, weak_screw};
 
 /// The steps of all set-ups, numbered throughout.
 pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
@@ -21,6 +21,9 @@ pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     }
     for (number, step) in (1..).zip(steps) {
         page.paragraph(format!("{number}. {step}"));
+    }
+    if !plan.setup.chains.is_empty() {
+        page.push(chains::table(&plan.setup.chains, lang));
     }
 }
 
@@ -102,22 +105,15 @@ fn clamps(clamping: &Clamping, part: &Part, lang: Lang) -> String {
 /// The knee, the zeros and the first motion.
 fn place(stand: &Stand, lang: Lang) -> Vec<String> {
     let [x, y, z] = stand.zero_mm;
-    let [along, across] = stand.sides_mm;
     let knee = stand.nose_to_table_mm.map(|nose| lang.say(&Note::new("plan-knee").with("nose", nose)));
     let frame = format!("G{}", stand.frame);
-    let sides = Note::new("plan-zero-by-sides")
-        .with("frame", frame.as_str())
-        .with("side", lang.word(if stand.touched.left { "plan-side-left" } else { "plan-side-right" }).to_owned())
-        .with("end", lang.word(if stand.touched.front { "plan-side-front" } else { "plan-side-back" }).to_owned())
-        .with("right", less_radius(along, stand.touched.left))
-        .with("back", less_radius(across, stand.touched.front))
-        .with("x", x)
-        .with("y", y);
+    let sides = touching("plan-zero-by-sides", &frame, stand.touched, stand.sides_mm, lang).with("x", x).with("y", y);
     let mut sides = vec![lang.say(&sides)];
     // A blank is not as long as drawn: what both set-ups make must be counted from one face.
     if stand.face == Face::Back {
         sides.push(lang.word("plan-same-face").to_owned());
     }
+    let others = stand.other_zeros.iter().map(|other| other_zero(other, &frame, lang));
     let face = Note::new("plan-zero-by-face")
         .with("frame", frame.as_str())
         .with("tool", stand.reference_tool.map_or_else(String::new, |tool| format!(" T{tool}")))
@@ -132,9 +128,32 @@ fn place(stand: &Stand, lang: Lang) -> Vec<String> {
         }
         None => lang.say(&start),
     };
-    knee.into_iter()
-        .chain([sides.join(" "), [lang.say(&face).as_str(), lang.word("plan-lengths-measured")].join(" "), start])
-        .collect()
+    let face = [lang.say(&face).as_str(), lang.word("plan-lengths-measured")].join(" ");
+    knee.into_iter().chain([sides.join(" "), face]).chain(others).chain([start]).collect()
+}
+
+/// The sides that an arbor touches for a zero, and what is taken away from what it shows there.
+fn touching(
+    key: &'static str,
+    frame: &str,
+    touched: Touched,
+    [along, across]: [Micrometres; 2],
+    lang: Lang,
+) -> Note {
+    Note::new(key)
+        .with("frame", frame)
+        .with("side", lang.word(if touched.left { "plan-side-left" } else { "plan-side-right" }).to_owned())
+        .with("end", lang.word(if touched.front { "plan-side-front" } else { "plan-side-back" }).to_owned())
+        .with("right", less_radius(along, touched.left))
+        .with("back", less_radius(across, touched.front))
+}
+
+/// A further zero, of the holes that the drawing dimensions from other sides.
+fn other_zero(zero: &OtherZero, first: &str, lang: Lang) -> String {
+    let holes = Figure::list(zero.holes.iter().map(|name| Figure::called(name)));
+    let frame = format!("G{}", zero.frame);
+    let note = touching("plan-other-zero", &frame, zero.touched, zero.sides_mm, lang);
+    lang.say(&note.with("holes", holes).with("first", first))
 }
 
 /// What is taken away from what an arbor Ø d at a side shows: ` − 250 − d/2`, at a left or front side ` + d/2`.

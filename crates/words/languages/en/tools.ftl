@@ -65,3 +65,6 @@ vice-parallels = parallels of { $height } mm: a tool comes out { $below } mm bel
 fixture-kind = the kind of fixture (textbook 1.6)
 fixture-keying = how the fixture is keyed to the table (textbook 1.7)
 part-locating = how the part is located (textbook 1.9)
+chain-term = a field of { $field } mm in the chain
+chain-closing = whether the chain closes
+chain-zeros = how many zeros the part gets (textbook 5.2 item 11.2)
