@@ -50,7 +50,8 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
             if magazine.insert(place, tool.number) != Some(tool.number) {
                 pauses.push(Pause::LoadTool { tool: tool.number, place });
             }
-            for (zero, visit) in by_zero(visit, zeros).into_iter().enumerate().filter(|(_, one)| !one.stops.is_empty()) {
+            for (zero, visit) in by_zero(visit, zeros).into_iter().enumerate().filter(|(_, one)| !one.stops.is_empty())
+            {
                 let pauses = std::mem::take(&mut pauses);
                 works.extend(rounds((index, &visit, frame(first + zero)), tool, place, pauses, plan, shop)?);
             }

@@ -4,8 +4,8 @@ use technolog::job;
 use technolog::note::Severity;
 use technolog::part::Side;
 use technolog::plan::{ChainClosing, ChainError, CuttingMethod, Plan};
-use technolog::program::proof::PlannedJob;
 use technolog::program::Setting;
+use technolog::program::proof::PlannedJob;
 use technolog::program::written::Form;
 use technolog::units::Micrometres;
 use technolog_testing::{KNOWLEDGE, planned, read};
@@ -41,12 +41,7 @@ fn severity(plan: &Plan, code: &str) -> Severity {
 #[test]
 fn a_chain_from_a_side_is_the_sum_of_what_errs() {
     let plan = plan("  - {from: left, to: A, tolerance: 0.175}");
-    let sum = [
-        (ChainError::Axis, 70),
-        (ChainError::Locating, 70),
-        (ChainError::Touch, 20),
-        (ChainError::Truing, 15),
-    ];
+    let sum = [(ChainError::Axis, 70), (ChainError::Locating, 70), (ChainError::Touch, 20), (ChainError::Truing, 15)];
     assert_eq!(terms(&plan, 0), (sum.to_vec(), Some(175), Some(102)));
     assert_eq!(plan.setup.chains[0].closing, Some(ChainClosing::AtWorst));
     assert!(!plan.findings.iter().any(|finding| finding.note.code().starts_with("chain-")), "{:?}", plan.findings);

@@ -114,6 +114,9 @@ pub struct Fixture {
     /// How high over the face tools go from hole to hole, mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub retract: Option<Micrometres>,
+    /// The name of a fixture of the shop's own that holds the part.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own: Option<String>,
 }
 
 /// Something that stands over the face of the part.

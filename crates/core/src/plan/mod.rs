@@ -24,7 +24,7 @@ pub use crate::tables::rules::{ChainClosing, FixtureKind, HeldBy, PartLocating, 
 pub use chain::{Chain, ChainError, ChainTerm, PartZero};
 pub use order::{Mixture, Stop, Times, ToolVisit, Visiting};
 pub use route::{Achieved, Alternative, AlternativeStep, Feature, Route, RouteSource};
-pub use set_up::{FixturePlan, JawsAlong, OtherZero, Setup, Stand, Strap, Touched, Vice};
+pub use set_up::{FixturePlan, JawsAlong, OtherZero, OwnFixture, Setup, Stand, Strap, Touched, Vice};
 
 /// What holds cutting conditions back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::note::Because;
 use crate::part::{Face, Outline, Part, Point, Standing};
 use crate::tables::rules::{FixtureKind, HeldBy, PartLocating, TableKeying};
-use crate::units::{Micrometres, Newtons};
+use crate::units::{Micrometres, NewtonMetres, Newtons};
 
 use super::{Chain, PartZero};
 
@@ -19,6 +19,9 @@ pub struct Setup {
     /// The vice, where straps find no place on the face; without one the part lies on the table, or on what the file says.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vice: Option<Vice>,
+    /// The fixture of the shop's own that the file names, and what it must hold.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own: Option<OwnFixture>,
     /// The zeros of the part where the drawing says from where it dimensions its holes, the first for all that it does not
     /// say it of.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -28,6 +31,24 @@ pub struct Setup {
     pub chains: Vec<Chain>,
     /// How the part stands in each set-up.
     pub stands: Vec<Stand>,
+}
+
+/// A fixture of the shop's own: what it must hold, without the safety factor of the table `clamping`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OwnFixture {
+    /// Its name.
+    pub name: String,
+    /// The group of holes with the largest torque.
+    pub hole: String,
+    /// That torque, N·m.
+    pub torque_n_m: NewtonMetres,
+    /// The largest side force, where a transition pushes the part, N.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub side_force_n: Option<Newtons>,
+    /// By how much more it must hold.
+    pub safety: f64,
+    /// Why.
+    pub because: Vec<Because>,
 }
 
 /// The kind of fixture, and how table, fixture and part are located to each other.

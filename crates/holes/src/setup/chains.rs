@@ -105,13 +105,12 @@ struct Errors<'k> {
 
 impl<'k> Errors<'k> {
     fn read(held: HeldBy, shop: &Shop<'k>) -> Result<Self, KnowledgeError> {
-        let row = |wanted: SettingErrorOf| {
-            shop.knowledge.need(wanted.name(), |row: &SettingError<'_>| row.name.is(wanted))
-        };
+        let row =
+            |wanted: SettingErrorOf| shop.knowledge.need(wanted.name(), |row: &SettingError<'_>| row.name.is(wanted));
         let locating = match held {
             HeldBy::Straps => Some(row(SettingErrorOf::Straps)?),
             HeldBy::Vice => Some(row(SettingErrorOf::Vice)?),
-            HeldBy::Nothing => None,
+            HeldBy::Own | HeldBy::Nothing => None,
         };
         Ok(Self { locating, touch: row(SettingErrorOf::Touch)?, truing: row(SettingErrorOf::Truing)? })
     }

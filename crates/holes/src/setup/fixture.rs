@@ -3,12 +3,16 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note};
+use crate::part::Part;
 use crate::plan::{Clamping, FixturePlan, HeldBy, Plan, Vice};
 use crate::shop::Shop;
 use crate::tables::rules::{FixtureKeyingFor, FixtureKindFor, PartLocatingFor};
 
 /// What holds a part.
-pub const fn held_by(vice: Option<&Vice>, clamping: Option<&Clamping>) -> HeldBy {
+pub const fn held_by(part: &Part, vice: Option<&Vice>, clamping: Option<&Clamping>) -> HeldBy {
+    if part.fixture.own.is_some() {
+        return HeldBy::Own;
+    }
     match (vice, clamping) {
         (Some(_), _) => HeldBy::Vice,
         (None, Some(_)) => HeldBy::Straps,
@@ -24,7 +28,7 @@ pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<Option<FixturePlan>, Know
     if plan.setup.stands.is_empty() {
         return Ok(None);
     }
-    let held = held_by(plan.setup.vice.as_ref(), plan.clamping.as_ref());
+    let held = held_by(&plan.part, plan.setup.vice.as_ref(), plan.clamping.as_ref());
     let stiff = !technolog_proof::plate_springs(plan, shop)?;
     let ask = FixtureKindFor { held, stiff, family: false };
     let answer = shop.knowledge.ask(&ask)?;

@@ -4,7 +4,7 @@
 use crate::document::Document;
 use crate::note::{Figure, Note};
 use crate::part::{Face, Part};
-use crate::plan::{Clamping, FixturePlan, OtherZero, Plan, Stand, Touched, Vice};
+use crate::plan::{Clamping, FixturePlan, OtherZero, OwnFixture, Plan, Stand, Touched, Vice};
 use crate::units::Micrometres;
 
 use super::{Lang, chains, clamps_of, mark, rounded, say, weak_screw};
@@ -46,14 +46,30 @@ fn on_table(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
     let supports = lang.say(&Note::new(key).with("setup", stand.set_up).with("height", stand.height_mm));
     let lies = lang.say(&lies(stand));
     let held = match &plan.clamping {
-        _ if stand.face == Face::Back => say!(lang, "setting-clamps-of-second", setup = stand.set_up).to_owned(),
+        _ if stand.face == Face::Back && plan.setup.own.is_none() => {
+            say!(lang, "setting-clamps-of-second", setup = stand.set_up).to_owned()
+        }
         Some(clamping) => clamps(clamping, &plan.part, lang),
+        None if plan.setup.own.is_some() => plan.setup.own.iter().map(|own| own_fixture(own, lang)).collect(),
         None => lang.word("plan-no-clamping").to_owned(),
     };
     // What stands under a part by the file is not ours to place.
     let where_ = (key == "plan-supports-assumed").then(|| lang.word("plan-supports-where").to_owned());
     let part: Vec<String> = [Some(supports), where_, Some(lies)].into_iter().flatten().collect();
     vec![part.join(" "), held]
+}
+
+/// What the fixture of the file must hold.
+pub(crate) fn own_fixture(own: &OwnFixture, lang: Lang) -> String {
+    let note = Note::new(if own.side_force_n.is_some() { "plan-own-fixture-pushed" } else { "plan-own-fixture" });
+    let side = own.side_force_n.map_or(0.0, |side| side.0);
+    let note = note
+        .with("name", Figure::called(&own.name))
+        .with("hole", Figure::called(&own.hole))
+        .with("torque", rounded(own.torque_n_m.0, 2))
+        .with("side", rounded(side, 0))
+        .with("safety", rounded(own.safety, 2));
+    lang.say(&if own.side_force_n.is_some() { note } else { note.without("side") })
 }
 
 /// Where the corner of the part lies on the table.
@@ -133,19 +149,14 @@ fn place(stand: &Stand, lang: Lang) -> Vec<String> {
 }
 
 /// The sides that an arbor touches for a zero, and what is taken away from what it shows there.
-fn touching(
-    key: &'static str,
-    frame: &str,
-    touched: Touched,
-    [along, across]: [Micrometres; 2],
-    lang: Lang,
-) -> Note {
+fn touching(key: &'static str, frame: &str, touched: Touched, sides: [Micrometres; 2], lang: Lang) -> Note {
+    let [right, back] = less_radii(sides, touched);
     Note::new(key)
         .with("frame", frame)
         .with("side", lang.word(if touched.left { "plan-side-left" } else { "plan-side-right" }).to_owned())
         .with("end", lang.word(if touched.front { "plan-side-front" } else { "plan-side-back" }).to_owned())
-        .with("right", less_radius(along, touched.left))
-        .with("back", less_radius(across, touched.front))
+        .with("right", right)
+        .with("back", back)
 }
 
 /// A further zero, of the holes that the drawing dimensions from other sides.
@@ -156,6 +167,11 @@ fn other_zero(zero: &OtherZero, first: &str, lang: Lang) -> String {
     lang.say(&note.with("holes", holes).with("first", first))
 }
 
+/// The same for the two sides of a zero, as sums to key in.
+pub(crate) fn less_radii([along, across]: [Micrometres; 2], touched: Touched) -> [String; 2] {
+    [less_radius(along, touched.left), less_radius(across, touched.front)]
+}
+
 /// What is taken away from what an arbor Ø d at a side shows: ` − 250 − d/2`, at a left or front side ` + d/2`.
 fn less_radius(length: Micrometres, low: bool) -> String {
     let length = if length == Micrometres::ZERO { String::new() } else { less(length) };
@@ -163,7 +179,7 @@ fn less_radius(length: Micrometres, low: bool) -> String {
 }
 
 /// A length taken away in a sum: ` − 250`, or ` + 250` where it lies on the other side of the zero.
-fn less(length: Micrometres) -> String {
+pub(crate) fn less(length: Micrometres) -> String {
     let sign = if length < Micrometres::ZERO { '+' } else { '−' };
     format!(" {sign} {}", length.abs())
 }

@@ -181,6 +181,8 @@ vocabulary! {
         Vice = "vice",
         /// Nothing that the tables have.
         Nothing = "nothing",
+        /// A fixture of the shop's own, which the file names.
+        Own = "own",
     }
 
     /// A kind of fixture (textbook 1.6).

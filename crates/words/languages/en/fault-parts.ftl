@@ -92,6 +92,7 @@ part-too-many-kinds = the part has { $count } kinds of holes, and may have { $mo
 part-too-many-steps = the hole has { $count } steps, and may have { $most }
 part-too-many-clamps = the fixture has { $count } clamps, and may have { $most }
 part-too-many-obstacles = the fixture has { $count } obstacles, and may have { $most }
+part-own-fixture-and-clamps = a fixture of your own holds the part, and clamps are given too
 part-too-many-dimensions = the part has { $count } dimensions, and may have { $most }
 part-dimensioned-twice = { $hole } is dimensioned along { $axis } from { $other } already
 part-keep-the-dimension-of-the-drawing = keep the dimension of the drawing

@@ -92,6 +92,7 @@ part-too-many-kinds = груп отворів у деталі { $count }, а м�
 part-too-many-steps = ступенів у отворі { $count }, а може бути { $most }
 part-too-many-clamps = притискачів { $count }, а може бути { $most }
 part-too-many-obstacles = пристосування має { $count } перешкод, а може мати { $most }
+part-own-fixture-and-clamps = деталь тримає власне пристосування, і водночас задано притискачі
 part-too-many-dimensions = деталь має { $count } розмірів, а може мати { $most }
 part-dimensioned-twice = { $hole }: розмір уздовж { $axis } уже задано, його база – { $other }
 part-keep-the-dimension-of-the-drawing = залиште розмір креслення

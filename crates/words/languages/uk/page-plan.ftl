@@ -116,6 +116,9 @@ plan-keying-cross-elements = На столі: за поперечним пазо
 plan-locating-three-planes = Деталь: на трьох площинах – тій, на якій лежить, і двох бокових (1.9).
 plan-locating-two-planes-and-hole = Деталь: на двох площинах і отворі (1.9).
 plan-locating-plane-and-two-holes = Деталь: на площині й двох класних отворах, найточніше (1.9).
+plan-fixture-special-own = Власне пристосування (1.6).
+plan-own-fixture = Деталь тримає { $name }. Воно має втримати { $safety } × M = { $torque } Н·м на отворі { $hole }.
+plan-own-fixture-pushed = Деталь тримає { $name }. Воно має втримати { $safety } × M = { $torque } Н·м на отворі { $hole } і { $safety } × бокову силу { $side } Н.
 plan-other-zero = { $frame }, для { $holes }, на кожній деталі знову: торкніться { $side } й { $end } боку оправкою Ø d і зчитайте xM, yM: X = xM{ $right }, Y = yM{ $back }; на заготовці номінального розміру – X і Y від { $first }. Z – як у { $first }.
 plan-chain-hole = Отвори
 plan-chain-from = База
