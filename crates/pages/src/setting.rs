@@ -49,7 +49,7 @@ pub fn page(
     page.push(zeros(setting, lang));
     if let Some(steps) = keys::steps(plan, setting, control, knowledge, lang) {
         page.heading(2, say!(lang, "setting-keys"));
-        page.push(steps);
+        steps.into_iter().for_each(|step| page.paragraph(step));
     }
     page.paragraph(Inlines::sentence(say!(lang, "setting-file")));
     page

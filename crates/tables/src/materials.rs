@@ -1,8 +1,10 @@
 //! Row types: materials and clamping.
 
 use technolog_knowledge::contract::{Named, Use};
-use technolog_knowledge::units::{Brinell, Megapascals, Micrometres, Newtons};
+use technolog_knowledge::units::{Brinell, ItGrade, Megapascals, Micrometres, Newtons};
 use technolog_knowledge::{rows, vocabulary};
+
+use crate::rules::TableKeying;
 
 vocabulary! {
     /// A constant of clamping or of tool travel.
@@ -37,6 +39,16 @@ rows! {
         name: Named<'t, SettingErrorOf>,
         least: Micrometres,
         most: Micrometres,
+    }
+
+    /// Fits of what keys a fixture to the table.
+    pub struct KeyingFit of One("keying-fits") {
+        keying: TableKeying,
+        hole: &'t str,
+        hole_grade: ItGrade,
+        shaft: &'t str,
+        shaft_grade: ItGrade,
+        size: Option<Micrometres>,
     }
 
     /// Clamps by their designations.

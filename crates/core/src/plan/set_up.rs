@@ -61,8 +61,14 @@ pub struct FixturePlan {
     /// How it is keyed to the table; absent where the record of the machine does not say what its table has.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub keying: Option<TableKeying>,
+    /// How much play its keys or pins have there at most, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub keying_play_mm: Option<Micrometres>,
     /// How the part is located in it.
     pub locating: PartLocating,
+    /// How far part after part is off its place in it, at least and at most, mm; absent where nobody knows the fixture.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub locating_error_mm: Option<[Micrometres; 2]>,
     /// Why.
     pub because: Vec<Because>,
 }

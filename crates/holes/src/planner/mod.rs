@@ -350,6 +350,9 @@ fn unconfirmed(plan: &mut Plan) {
     if let Some(vice) = &plan.setup.vice {
         look(&vice.because, None);
     }
+    if let Some(fixture) = &plan.setup.fixture {
+        look(&fixture.because, None);
+    }
     for chain in &plan.setup.chains {
         look(&chain.because, Some(&chain.hole));
     }

@@ -14,6 +14,8 @@ use crate::tables::materials::{SettingError, SettingErrorOf};
 use crate::tables::rules::{ChainClosingFor, ChainSeverity, ChainZeros, ChainZerosFor};
 use crate::units::Micrometres;
 
+use super::fixture::locating_error;
+
 /// The length of a side over which the error of truing is told: 300 mm.
 const TRUED_OVER: Micrometres = Micrometres::from_mm(300);
 
@@ -107,11 +109,7 @@ impl<'k> Errors<'k> {
     fn read(held: HeldBy, shop: &Shop<'k>) -> Result<Self, KnowledgeError> {
         let row =
             |wanted: SettingErrorOf| shop.knowledge.need(wanted.name(), |row: &SettingError<'_>| row.name.is(wanted));
-        let locating = match held {
-            HeldBy::Straps => Some(row(SettingErrorOf::Straps)?),
-            HeldBy::Vice => Some(row(SettingErrorOf::Vice)?),
-            HeldBy::Own | HeldBy::Nothing => None,
-        };
+        let locating = locating_error(held, shop)?;
         Ok(Self { locating, touch: row(SettingErrorOf::Touch)?, truing: row(SettingErrorOf::Truing)? })
     }
 }

@@ -1,6 +1,5 @@
 //! What the operator keys into the control, in order: the correctors of the tools, then the zeros of each set-up.
 
-use crate::document::{Block, Inlines};
 use crate::knowledge::Knowledge;
 use crate::note::{Figure, Note};
 use crate::plan::{Plan, Stand};
@@ -11,17 +10,21 @@ use crate::units::Micrometres;
 use super::Lang;
 
 /// The steps for a control; none where the knowledge does not have its keys, or where the plan has no set-up.
-pub(super) fn steps(plan: &Plan, setting: &Setting, control: &str, knowledge: &Knowledge, lang: Lang) -> Option<Block> {
+pub(super) fn steps(
+    plan: &Plan,
+    setting: &Setting,
+    control: &str,
+    knowledge: &Knowledge,
+    lang: Lang,
+) -> Option<Vec<String>> {
     let rows: Vec<OperatorKeys<'_>> = knowledge.rows().ok()?;
     let keys = Keys { rows: rows.into_iter().filter(|row| row.control == control).collect(), lang };
     let mut steps = keys.correctors(plan, setting)?;
     for stand in &plan.setup.stands {
         steps.extend(keys.zeros(stand)?);
     }
-    (!plan.setup.stands.is_empty()).then(|| {
-        let lines = (1..).zip(steps).map(|(number, step)| Inlines::sentence(&format!("{number}. {step}")).into());
-        Block::List(lines.collect())
-    })
+    (!plan.setup.stands.is_empty())
+        .then(|| (1..).zip(steps).map(|(number, step)| format!("{number}. {step}")).collect())
 }
 
 struct Keys<'k> {
@@ -67,12 +70,16 @@ impl Keys<'_> {
         let mut steps = vec![self.step(Stage::Zeros, Note::new("keys-zeros").with("setup", stand.set_up))?];
         let frames = std::iter::once((stand.frame, stand.sides_mm, stand.touched));
         let others = stand.other_zeros.iter().map(|other| (other.frame, other.sides_mm, other.touched));
+        let mut shown = 1;
         for (frame, sides, touched) in frames.chain(others) {
             let name = format!("G{frame}");
             // The additional shifts are on the first page, then two zeros on each.
             let page = (frame.saturating_sub(54)) / 2 + 2;
-            let note = Note::new("keys-page").with("frame", name.as_str()).with("page", page);
-            steps.push(self.step(Stage::Page, note)?);
+            if page != shown {
+                let note = Note::new("keys-page").with("frame", name.as_str()).with("page", page);
+                steps.push(self.step(Stage::Page, note)?);
+            }
+            shown = page;
             let [x, y] = crate::sheet::less_radii(sides, touched);
             let [about_x, about_y, about_z] = stand.zero_mm;
             let note = Note::new("keys-value").with("frame", name.as_str()).with("x", x).with("y", y);

@@ -32,7 +32,13 @@ fn kind(fixture: &FixturePlan, lang: Lang) -> String {
     let said = |code: String| lang.say(&Note::new(code));
     let mut sentences = vec![said(format!("plan-fixture-{}-{}", fixture.fixture_kind.name(), fixture.held.name()))];
     sentences.extend(fixture.keying.map(|keying| said(format!("plan-keying-{}", keying.name()))));
+    let play = fixture.keying_play_mm.map(|play| lang.say(&Note::new("plan-keying-play").with("play", play)));
+    sentences.extend(play);
     sentences.push(said(format!("plan-locating-{}", fixture.locating.name())));
+    let error = fixture
+        .locating_error_mm
+        .map(|[least, most]| lang.say(&Note::new("plan-locating-error").with("least", least).with("most", most)));
+    sentences.extend(error);
     sentences.join(" ")
 }
 
