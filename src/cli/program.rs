@@ -148,7 +148,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             context.emit_cleaned(&report::setting::file(setting, plan, job, context.lang))?
         }
         (Show::Setting, _) => {
-            context.emit_document(&report::setting::page(setting, plan, job, context.lang), format)?;
+            let of = (control, knowledge);
+            context.emit_document(&report::setting::page(setting, plan, job, of, context.lang), format)?;
         }
         (Show::Program, _) => match &reason {
             None => context.emit(&text)?,

@@ -2,8 +2,10 @@
 //!
 //! - `hold`: whether the places of the clamps hold it against turning and tipping;
 //! - `fixture`: its kind, and how table, fixture and part are located;
-//! - `vice`: a vice, where clamps find no place.
+//! - `vice`: a vice, where clamps find no place;
+//! - `chains`: zeros by the dimensions of the drawing, and whether their chains close.
 
+mod chains;
 mod fixture;
 mod hold;
 mod vice;
@@ -13,7 +15,7 @@ use crate::knowledge::RowRef;
 use crate::machine::Machine;
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::part::{Fixture, Outline, Part, Point};
-use crate::plan::{Clamping, HolePlan, Operation, Strap, Transition, Vice};
+use crate::plan::{Clamping, HolePlan, Operation, OwnFixture, Strap, Transition, Vice};
 use crate::shop::{Shop, convention};
 use crate::tables::controls::Convention;
 use crate::tables::holes::HoleDefault;
@@ -39,6 +41,9 @@ pub fn clamping(
     holes: &[HolePlan],
     shop: &Shop<'_>,
 ) -> Result<(Option<Clamping>, Vec<Finding>), KnowledgeError> {
+    if part.fixture.own.is_some() {
+        return Ok((None, Vec::new()));
+    }
     let inset = shop.convention(HoleDefault::ClampInset)?;
     if !part.fixture.clamps.is_empty() {
         let clamps = part.fixture.clamps.iter().map(|clamp| clamp.at).collect();
@@ -92,7 +97,33 @@ pub fn vice_instead(
     }
 }
 
-pub use fixture::fixture;
+/// The fixture of the shop's own that the file names, with the largest torque and side force that it must hold; none where it names
+/// none, or nothing is cut.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub fn own(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Option<OwnFixture>, KnowledgeError> {
+    let Some(name) = &part.fixture.own else { return Ok(None) };
+    let mut loads = Vec::new();
+    for plan in holes {
+        loads.extend(loads_of(plan, shop)?);
+    }
+    let side = loads.iter().filter_map(|(load, _)| load.side).max_by(|one, two| one.0.total_cmp(&two.0));
+    let worst = loads.iter().max_by(|(one, _), (two, _)| one.torque.0.total_cmp(&two.torque.0));
+    let Some((load, _)) = worst else { return Ok(None) };
+    let (safety, why) = constant(ClampingConstant::Safety, shop)?;
+    Ok(Some(OwnFixture {
+        name: name.clone(),
+        hole: load.hole.to_owned(),
+        torque_n_m: load.torque,
+        side_force_n: side.map(|side| side.rounded(0)),
+        safety,
+        because: vec![why],
+    }))
+}
+
+pub use chains::{Chains, chains};
+pub use fixture::{fixture, held_by};
 
 /// The force that a transition needs, by the formula that asks for more.
 struct Need<'p> {

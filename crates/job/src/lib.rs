@@ -73,9 +73,9 @@ pub struct Job {
     pub of_plan: Vec<Finding>,
 }
 
-/// The function of the coordinate system of a set-up, counted from 0: G54 of the first, G55 of the second.
-pub fn frame(setup: usize) -> u8 {
-    54 + u8::try_from(setup).unwrap_or(u8::MAX).min(5)
+/// The function of a zero, counted from 0 through all set-ups: G54 of the first, G55 of the second.
+fn frame(zero: usize) -> u8 {
+    54 + u8::try_from(zero).unwrap_or(u8::MAX).min(5)
 }
 
 /// Writes into a plan what its job says of it: how its time is spent, how the part stands, and what prevents programs from running
@@ -107,6 +107,10 @@ pub struct SetUp {
     pub number: u32,
     /// The face that is up.
     pub face: Face,
+    /// The functions of its zeros: several where the drawing dimensions its holes from opposite sides. On a blank of nominal size
+    /// all of them are `zero`.
+    #[serde(skip)]
+    pub frames: Vec<u8>,
     /// The zero of the part's drawing, machine coordinates, measured with the reference tool. In the second set-up
     /// the part is turned over about the line through its middle along Y: its X has the opposite direction.
     pub zero: Position,
@@ -127,6 +131,9 @@ pub struct ToolWork {
     /// The index of its visit in the plan, from 0; a work may be a part of the visit.
     #[serde(skip)]
     pub visit: usize,
+    /// The function of the zero that its points are counted from: 54 for G54.
+    #[serde(skip)]
+    pub frame: u8,
     /// Its number in the plan.
     pub tool: u32,
     /// Its place in the magazine: what a program calls T.

@@ -6,7 +6,7 @@ use crate::error::KnowledgeError;
 use crate::motion::Position;
 use crate::note::{Finding, Severity};
 use crate::part::{Face, Point};
-use crate::plan::{Plan, ToolPlan, ToolVisit, Transition};
+use crate::plan::{PartZero, Plan, ToolPlan, ToolVisit, Transition};
 use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
@@ -16,7 +16,7 @@ use super::cycle::{Feeding, cycle};
 use super::envelope::envelopes;
 use super::on_table;
 use super::part_position::{PartPosition, across, reach_of_quill, stand};
-use super::{Job, Pause, SetUp, Stop, ToolWork, Unfinished};
+use super::{Job, Pause, SetUp, Stop, ToolWork, Unfinished, frame};
 
 /// The job of a plan, in the shop it was planned for.
 ///
@@ -27,6 +27,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
     let machine = &shop.machine;
     let (mut findings, mut asked) = (Vec::new(), Vec::new());
     let mut setups = Vec::new();
+    let mut frames = 0;
     // The tool in each place; the first loading is done before the program begins.
     let mut magazine: BTreeMap<u32, u32> = plan
         .tools
@@ -36,6 +37,9 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         .collect();
     for (number, face) in [(1, Face::Entry), (2, Face::Back)] {
         let mut works = Vec::new();
+        let zeros = zeros_of(plan, number);
+        let first = frames;
+        frames += zeros.len().max(1);
         for (index, visit) in plan.sequence.iter().enumerate().filter(|(_, visit)| visit.setup == number) {
             let Some(tool) = plan.tools.iter().find(|tool| tool.number == visit.tool) else { continue };
             let mut pauses = Vec::new();
@@ -46,9 +50,14 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
             if magazine.insert(place, tool.number) != Some(tool.number) {
                 pauses.push(Pause::LoadTool { tool: tool.number, place });
             }
-            works.extend(rounds((index, visit), tool, place, pauses, plan, shop)?);
+            for (zero, visit) in by_zero(visit, zeros).into_iter().enumerate().filter(|(_, one)| !one.stops.is_empty())
+            {
+                let pauses = std::mem::take(&mut pauses);
+                works.extend(rounds((index, &visit, frame(first + zero)), tool, place, pauses, plan, shop)?);
+            }
         }
         if works.is_empty() {
+            frames = first;
             continue;
         }
         let mut standing = part.standing(number, shop.convention(HoleDefault::ClampInset)?);
@@ -60,7 +69,8 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         let home = Point { x: machine.tool_change_at.0 - zero.x, y: machine.tool_change_at.1 - zero.y };
         go_over(&mut works, &standing, home, plan, shop, &mut findings)?;
         let PartPosition { zero, supports, nose } = stand(part, plan, &works, &standing, shop, &mut findings)?;
-        let setup = SetUp { number, face, zero, supports, nose, works, standing };
+        let frames: Vec<u8> = (first..frames).map(frame).collect();
+        let setup = SetUp { number, face, frames, zero, supports, nose, works, standing };
         change_over_part(&setup, part, machine.tool_change_at, &mut findings);
         if face == Face::Entry {
             asked.extend(ways_over_clamps(&setup, plan, machine.tool_change_at, shop)?);
@@ -89,15 +99,32 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
     })
 }
 
+/// The zeros of a set-up, where it has several; the second set-up has one, at the sides of the first.
+fn zeros_of(plan: &Plan, number: u32) -> &[PartZero] {
+    if number == 1 { &plan.setup.zeros } else { &[] }
+}
+
+/// What a visit does from each zero. The tool stays in the spindle.
+fn by_zero(visit: &ToolVisit, zeros: &[PartZero]) -> Vec<ToolVisit> {
+    let of = |zero: usize| {
+        let stops = visit.stops.iter().filter(|stop| {
+            let own = zeros.iter().position(|zero| zero.holes.contains(&stop.hole));
+            own.unwrap_or_default() == zero
+        });
+        ToolVisit { stops: stops.cloned().collect(), ..visit.clone() }
+    };
+    (0..zeros.len().max(1)).map(of).collect()
+}
+
 /// The place of a tool in its loading of the magazine, from 1.
 fn place(tool: &ToolPlan, places: usize) -> u32 {
     let places = u32::try_from(places).unwrap_or(u32::MAX).max(1);
     (tool.number.max(1) - 1) % places + 1
 }
 
-/// A visit as one work, or as several where the bar of a boring tool is set by hand between its passes.
+/// A visit from one zero as one work, or as several where the bar of a boring tool is set by hand between its passes.
 fn rounds(
-    (number, visit): (usize, &ToolVisit),
+    (number, visit, frame): (usize, &ToolVisit, u8),
     tool: &ToolPlan,
     place: u32,
     pauses: Vec<Pause>,
@@ -125,6 +152,7 @@ fn rounds(
         let also = first.and_then(|transition| transition.also_diameter_mm);
         let mut work = ToolWork {
             visit: number,
+            frame,
             tool: tool.number,
             place,
             corrector: tool.corrector,

@@ -1,9 +1,12 @@
 //! The operator's setting before a program runs: the position of the part, the places of tools, zeros and offsets.
 
+mod keys;
+
 use super::Lang;
 use super::words::say;
 use crate::document::{Block, Column, Document, Inlines, Keep, Table};
 use crate::job::{Job, Left, Pause, SetUp, Unfinished};
+use crate::knowledge::Knowledge;
 use crate::note::Severity;
 use crate::plan::{Plan, ToolPlan};
 use crate::program::Setting;
@@ -29,8 +32,14 @@ pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
     remarks + &setting.to_yaml()
 }
 
-/// The same as a page.
-pub fn page(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> Document {
+/// The same as a page, with what is keyed into the control.
+pub fn page(
+    setting: &Setting,
+    plan: &Plan,
+    job: &Job,
+    (control, knowledge): (&str, &Knowledge),
+    lang: Lang,
+) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "setting-title", part = job.part.as_str()));
     let stands = job.setups.iter().map(|setup| stand(setup, lang));
     let lines = unfinished(job, lang).into_iter().chain(stands).chain(clamps(plan, job, lang));
@@ -38,6 +47,10 @@ pub fn page(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> Document {
     page.push(tools(setting, plan, job, lang));
     page.heading(2, say!(lang, "setting-zeros"));
     page.push(zeros(setting, lang));
+    if let Some(steps) = keys::steps(plan, setting, control, knowledge, lang) {
+        page.heading(2, say!(lang, "setting-keys"));
+        steps.into_iter().for_each(|step| page.paragraph(step));
+    }
     page.paragraph(Inlines::sentence(say!(lang, "setting-file")));
     page
 }
@@ -120,6 +133,9 @@ fn clamps(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
         let held = plan.setup.stands.iter().map(|stand| super::sheet::in_vice(vice, stand, lang));
         let marked = vice.because.iter().any(|because| because.unconfirmed.is_some());
         return held.chain(marked.then(|| say!(lang, "setting-mark").to_owned())).collect();
+    }
+    if let Some(own) = &plan.setup.own {
+        return vec![super::sheet::own_fixture(own, lang)];
     }
     let Some(clamping) = &plan.clamping else { return vec![say!(lang, "plan-no-clamping").to_owned()] };
     let mut lines = vec![super::sheet::clamps_of(clamping, &plan.part, lang)];

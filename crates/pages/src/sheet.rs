@@ -13,13 +13,14 @@ use super::doubts::is_of_row;
 use super::words::say;
 use super::{Doubts, Lang};
 
+mod chains;
 mod conditions;
 pub(crate) mod route;
 mod set_up;
 mod tools;
 
 pub(super) use conditions::section as conditions;
-pub(crate) use set_up::{in_vice, section as set_up};
+pub(crate) use set_up::{in_vice, less, less_radii, own_fixture, section as set_up};
 pub(crate) use tools::named;
 pub(super) use tools::{corrections, tools};
 

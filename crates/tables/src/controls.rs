@@ -99,7 +99,40 @@ impl Convention {
     }
 }
 
+vocabulary! {
+    /// A step of setting a control, in the order of the work.
+    pub enum OperatorStage {
+        /// The mode of input from the panel.
+        Input = "input",
+        /// The table of correctors.
+        Correctors = "correctors",
+        /// The reference tool on the gauge block.
+        Reference = "reference",
+        /// Another tool on it, into its corrector.
+        Corrector = "corrector",
+        /// The display as it was.
+        Restore = "restore",
+        /// Out of the table.
+        Leave = "leave",
+        /// The table of zeros.
+        Zeros = "zeros",
+        /// A page on.
+        Page = "page",
+        /// A value by hand.
+        Value = "value",
+        /// Z as it is shown.
+        ReadZ = "read-z",
+    }
+}
+
 rows! {
+    /// Keys of setting controls.
+    pub struct OperatorKeys of One("operator-keys") {
+        control: &'t str,
+        stage: OperatorStage,
+        keys: &'t str,
+    }
+
     /// Conventions of programs.
     pub struct ProgramConventions of One("program-conventions") complete name {
         name: Convention,

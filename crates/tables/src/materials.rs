@@ -1,8 +1,10 @@
 //! Row types: materials and clamping.
 
 use technolog_knowledge::contract::{Named, Use};
-use technolog_knowledge::units::{Brinell, Megapascals, Micrometres, Newtons};
+use technolog_knowledge::units::{Brinell, ItGrade, Megapascals, Micrometres, Newtons};
 use technolog_knowledge::{rows, vocabulary};
+
+use crate::rules::TableKeying;
 
 vocabulary! {
     /// A constant of clamping or of tool travel.
@@ -21,7 +23,34 @@ vocabulary! {
     }
 }
 
+vocabulary! {
+    /// What errs when a part is set.
+    pub enum SettingErrorOf {
+        Straps = "straps",
+        Vice = "vice",
+        Touch = "touch",
+        Truing = "truing",
+    }
+}
+
 rows! {
+    /// Errors of setting a part.
+    pub struct SettingError of One("setting-errors") complete name {
+        name: Named<'t, SettingErrorOf>,
+        least: Micrometres,
+        most: Micrometres,
+    }
+
+    /// Fits of what keys a fixture to the table.
+    pub struct KeyingFit of One("keying-fits") {
+        keying: TableKeying,
+        hole: &'t str,
+        hole_grade: ItGrade,
+        shaft: &'t str,
+        shaft_grade: ItGrade,
+        size: Option<Micrometres>,
+    }
+
     /// Clamps by their designations.
     pub struct ClampDesignations of One("clamp-designations") {
         designation: &'t str,

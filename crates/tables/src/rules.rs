@@ -181,6 +181,24 @@ rows! {
         locating: PartLocating,
     }
 
+    /// Whether a chain of dimensions closes.
+    pub struct ChainClosingBy of One("chain-closing") asked by ChainClosingFor {
+        worst: bool,
+        likely: bool,
+        sure: bool,
+    } {
+        closing: ChainClosing,
+        severity: ChainSeverity,
+    }
+
+    /// One zero of the part, or one for each chain of dimensions.
+    pub struct ChainZerosBy of One("chain-zeros") asked by ChainZerosFor {
+        several: bool,
+        more_close: bool,
+    } {
+        zeros: ChainZeros,
+    }
+
     /// The share of the machine's limit that a load may take.
     pub struct LoadMargin of One("load-margin") asked by LoadMarginFor {
         load: Load,

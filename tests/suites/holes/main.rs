@@ -11,6 +11,7 @@
 mod bad_parts;
 mod bored;
 mod cells;
+mod chains;
 mod cutting;
 mod every_hole;
 mod extremes;

@@ -307,7 +307,31 @@ fn the_fixture_is_chosen_by_what_holds_the_part() {
         assert_eq!((fixture.held, fixture.fixture_kind), (held, kind), "{blank:?}: {:?}", plan.findings);
         assert_eq!(fixture.keying, Some(TableKeying::TwoKeys));
         assert_eq!(fixture.locating, PartLocating::ThreePlanes);
+        // A key h6 in a slot 18H8 has 27 + 11 µm of play (ISO 286); the errors of setting are those of the table.
+        assert_eq!(fixture.keying_play_mm, Some(Micrometres::new(38)));
+        let error = match held {
+            HeldBy::Straps => Some([25, 70].map(Micrometres::new)),
+            HeldBy::Vice => Some([50, 100].map(Micrometres::new)),
+            HeldBy::Own | HeldBy::Nothing => None,
+        };
+        assert_eq!(fixture.locating_error_mm, error);
     }
+}
+
+/// What neither straps nor a vice hold the user may answer with a fixture of the shop's own; the set-up says what it must hold, and
+/// what stands over the face is still in the way of tools.
+#[test]
+fn a_fixture_of_the_shop_takes_the_place_of_clamps() {
+    let own = plan([60, 50, 30], "fixture: {own: UPS-12, height: 45}", NEAR_SIDES);
+    assert!(own.clamping.is_none() && own.setup.vice.is_none());
+    assert!(found(&own, "no-vice").is_none() && found(&own, "no-place-for-clamps").is_none());
+    let fixture = own.setup.fixture.as_ref().unwrap();
+    assert_eq!((fixture.held, fixture.fixture_kind), (HeldBy::Own, FixtureKind::Special));
+    let torques = own.holes[0].transitions.iter().filter_map(|step| step.conditions.torque_n_m);
+    let torque = torques.map(|torque| torque.0).fold(0.0, f64::max);
+    let must = own.setup.own.as_ref().unwrap();
+    assert_eq!((must.name.as_str(), must.torque_n_m.0, must.safety), ("UPS-12", torque, 2.5));
+    assert_eq!(own.setup.stands[0].height_mm, Micrometres::from_mm(45));
 }
 
 /// Parallels are in the way of what comes out below the part: blind holes lie over them as they please.

@@ -41,6 +41,8 @@ forms! {
         pub position_tolerance: Option<Size>,
         /// Mass of the blank, kg.
         pub mass: Option<Mass>,
+        /// From which side or hole the drawing dimensions each coordinate, and with which tolerance.
+        pub dimensions: Option<Vec<Dimension>>,
         /// The groups of equal holes.
         #[schemars(length(min = 1))]
         pub holes: Vec<Hole>,
@@ -82,6 +84,18 @@ forms! {
         pub z: Option<ZeroZ>,
     }
 
+    /// A dimension of the drawing.
+    pub struct Dimension {
+        /// Where it begins: `left`, `right`, `front`, `back`, or a group of holes that have one coordinate along the axis.
+        pub from: Name,
+        /// Where it ends: a group of holes, each of which has this dimension, or the opposite side of the blank.
+        pub to: Name,
+        /// Along `x` or `y`: needed between two groups of holes.
+        pub axis: Option<AxisOfTable>,
+        /// The full width of its tolerance, mm: 0.2 for ±0.1.
+        pub tolerance: Size,
+    }
+
     /// How the part is held.
     pub struct Fixture {
         /// Height of the fixture under the part, mm.
@@ -92,6 +106,8 @@ forms! {
         pub obstacles: Option<Vec<Obstacle>>,
         /// How high over the face tools go from hole to hole, mm; else 15, and higher over what is in the way.
         pub retract: Option<Size>,
+        /// The name of a fixture of the shop's own that holds the part: then neither clamps nor a vice are planned.
+        pub own: Option<Name>,
     }
 
     /// Something that stands over the face.
@@ -189,6 +205,15 @@ pub enum SideZ {
     Top,
 }
 
+/// Axes of the table.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[allow(missing_docs)] // the words of the format
+pub enum AxisOfTable {
+    X,
+    Y,
+}
+
 /// A text; a bare number is one too (`45`).
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
@@ -247,6 +272,10 @@ entry: rough
 fixture: {height: 60, clamps: [{at: [250, -130], screw: М10}, {at: [250, 130]}]}
 position_tolerance: 0.1
 mass: 46.5
+dimensions:
+  - {from: left, to: C, tolerance: 0.2}
+  - {from: C, to: A, axis: x, tolerance: 0.3}
+  - {from: left, to: right, tolerance: 0.5}
 holes:
   - name: A
     diameter: 6.8
@@ -367,6 +396,9 @@ holes:
             ("x: left", "x: top"),
             ("entry: rough", "entry: raw"),
             ("height: 60", "hight: 60"),
+            ("axis: x", "axis: z"),
+            ("from: C,", "form: C,"),
+            ("to: C, tolerance: 0.2", "to: C, tolerance: wide"),
             ("at: [250, 130]", "at: [250, 130, 0]"),
             ("lower: 0", "low: 0"),
             ("bottom: flat", "bottom: round"),

@@ -18,6 +18,8 @@ pub const MOST_STEPS: usize = 50;
 pub const MOST_CLAMPS: usize = 100;
 /// Obstacles beside them.
 pub const MOST_OBSTACLES: usize = 100;
+/// Dimensions of the drawing: two for each group, and the sizes of the blank.
+pub const MOST_DIMENSIONS: usize = 1002;
 
 /// The things whose number is limited.
 #[derive(Clone, Copy)]
@@ -27,6 +29,7 @@ pub(super) enum LimitedCount {
     Steps,
     Clamps,
     Obstacles,
+    Dimensions,
 }
 
 impl LimitedCount {
@@ -37,6 +40,7 @@ impl LimitedCount {
             Self::Steps => MOST_STEPS,
             Self::Clamps => MOST_CLAMPS,
             Self::Obstacles => MOST_OBSTACLES,
+            Self::Dimensions => MOST_DIMENSIONS,
         }
     }
 
@@ -47,6 +51,7 @@ impl LimitedCount {
             Self::Steps => "too-many-steps",
             Self::Clamps => "too-many-clamps",
             Self::Obstacles => "too-many-obstacles",
+            Self::Dimensions => "too-many-dimensions",
         }
     }
 
@@ -59,6 +64,7 @@ impl LimitedCount {
             Self::Steps => note!("part-too-many-steps", count = count, most = most),
             Self::Clamps => note!("part-too-many-clamps", count = count, most = most),
             Self::Obstacles => note!("part-too-many-obstacles", count = count, most = most),
+            Self::Dimensions => note!("part-too-many-dimensions", count = count, most = most),
         };
         (count > most).then(|| (message, note!("part-check-counts-or-split")))
     }
@@ -105,6 +111,7 @@ impl Part {
             (LimitedCount::Steps, steps),
             (LimitedCount::Clamps, self.fixture.clamps.len()),
             (LimitedCount::Obstacles, self.fixture.obstacles.len()),
+            (LimitedCount::Dimensions, self.dimensions.len()),
         ];
         counts.into_iter().find_map(|(what, count)| what.refusal(count))
     }

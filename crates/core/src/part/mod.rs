@@ -7,11 +7,13 @@ mod arrange_steps;
 mod check;
 mod check_features;
 mod deviations;
+mod dimension;
 mod domain;
 pub mod file;
 pub mod limits;
 mod read;
 mod read_diameter;
+mod read_dimensions;
 mod read_features;
 mod read_fixture;
 mod read_holes;
@@ -30,6 +32,7 @@ use crate::units::{ItGrade, Micrometres, Roughness};
 
 pub use crate::tables::rules::Entry;
 pub use deviations::Deviations;
+pub use dimension::{Along, Base, Dimension, Side};
 pub use file::schema;
 pub use read::{read_part, read_part_node};
 pub use standing::{Outline, Standing};
@@ -59,6 +62,9 @@ pub struct Part {
     pub position_tolerance: Option<Micrometres>,
     /// Mass of the blank, kg.
     pub mass_kg: Option<f64>,
+    /// The dimensions of the drawing: from where each coordinate is dimensioned.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub dimensions: Vec<Dimension>,
     /// The groups of equal holes.
     pub holes: Vec<Hole>,
 }
@@ -108,6 +114,9 @@ pub struct Fixture {
     /// How high over the face tools go from hole to hole, mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub retract: Option<Micrometres>,
+    /// The name of a fixture of the shop's own that holds the part.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own: Option<String>,
 }
 
 /// Something that stands over the face of the part.

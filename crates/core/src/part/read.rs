@@ -65,6 +65,7 @@ impl Reader<'_> {
         let fixture_node = fields.take(PartFile::fixture);
         let position_tolerance = self.size(&mut fields, PartFile::position_tolerance);
         let mass_kg = fields.take(PartFile::mass).and_then(|node| self.mass(node));
+        let dimensions_node = fields.take(PartFile::dimensions);
         let holes_node = fields.need(PartFile::holes, self.problems);
         fields.finish(self.problems);
 
@@ -86,6 +87,7 @@ impl Reader<'_> {
             check::check_geometry(&groups, blank, datum, self.problems);
             check::check_clamps(&clamps, &groups, blank, datum, self.problems);
         }
+        let dimensions = dimensions_node.map(|node| self.dimensions(node, &groups)).unwrap_or_default();
         let (material, material_state) = material?;
         Some(Part {
             part: name?,
@@ -98,6 +100,7 @@ impl Reader<'_> {
             fixture: fixture?,
             position_tolerance,
             mass_kg,
+            dimensions,
             holes: groups.into_iter().map(|group| group.hole).collect::<Option<_>>()?,
         })
     }

@@ -18,7 +18,13 @@ impl Reader<'_> {
         let clamps_node = fields.take(file::Fixture::clamps);
         let obstacles = fields.take(file::Fixture::obstacles);
         let retract = self.size(&mut fields, file::Fixture::retract);
+        let own_node = fields.take(file::Fixture::own);
         fields.finish(self.problems);
+        let own = own_node.and_then(|node| self.name(node));
+        if let (Some(own), Some(_)) = (own_node, clamps_node) {
+            let help = note!("part-keep-one-them");
+            self.problems.error_help::<()>("bad-value", note!("part-own-fixture-and-clamps"), &own.place, help);
+        }
         let obstacles = obstacles.map(|node| self.obstacles(node)).unwrap_or_default();
         let mut clamps = Vec::new();
         let nodes = clamps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
@@ -33,7 +39,7 @@ impl Reader<'_> {
             fields.finish(self.problems);
             clamps.extend(at.map(|at| Clamp { at, screw, height, outline }));
         }
-        Some(Fixture { height, clamps, obstacles, retract })
+        Some(Fixture { height, clamps, obstacles, retract, own })
     }
 
     fn obstacles(&mut self, node: &Node) -> Vec<Obstacle> {

@@ -212,15 +212,20 @@ impl Reader<'_> {
         items.iter().filter_map(|item| self.point(item).map(|point| (point, item.place.clone()))).collect()
     }
 
+    /// The full width of a tolerance; half of it with a sign is what drawings have.
+    pub(super) fn width(&mut self, node: &Node, what: &str) -> Option<Micrometres> {
+        let half = self.problems.text(node)?.strip_prefix('±').map(|half| half.trim().replace(',', "."));
+        if let Some(Ok(half)) = half.map(|half| half.parse::<Micrometres>()) {
+            let text = self.problems.text(node)?.to_owned();
+            let message = note!("part-tolerance-is-a-width", text = text, width = (half + half).to_string());
+            return self.problems.error("bad-value", message, &node.place);
+        }
+        self.positive(node, what)
+    }
+
     fn centre_tolerance(&mut self, node: &Node) -> Option<CentreTolerance> {
         // Cyrillic ІТ looks like the Latin letters and is typed as often.
         let text = self.problems.text(node)?.to_uppercase().replace('І', "I").replace('Т', "T");
-        if let Some(Ok(either)) =
-            text.strip_prefix('±').map(|number| number.trim().replace(',', ".").parse::<Micrometres>())
-        {
-            let message = note!("part-tolerance-is-a-width", text = text, width = (either + either).to_string());
-            return self.problems.error("bad-value", message, &node.place);
-        }
         if let Some(grade) = text.strip_prefix("IT") {
             let it = grade.trim().parse().ok().and_then(ItGrade::new).filter(|it| (5..=14).contains(&it.number()));
             if it.is_none() {
@@ -229,7 +234,7 @@ impl Reader<'_> {
             }
             return it.map(|it| CentreTolerance::Grade { it });
         }
-        let width = self.positive(node, "centre_tolerance")?;
+        let width = self.width(node, "centre_tolerance")?;
         // The columns of the scheme tables end there; a larger figure is a misplaced decimal point.
         let tables = self.knowledge.tables_of::<SchemesOfMainHole<'_>>();
         let mut domains = tables.filter_map(SchemesOfMainHoleFor::centre_tolerance).map(Column::allowed);

@@ -13,16 +13,18 @@ use crate::units::{
     Newtons, RevsPerMinute,
 };
 
+mod chain;
 mod magazine;
 mod order;
 mod route;
 mod set_up;
 
 pub use crate::knowledge::vocabulary::{CuttingMethod, Operation};
-pub use crate::tables::rules::{FixtureKind, HeldBy, PartLocating, TableKeying, VisitingMethod};
+pub use crate::tables::rules::{ChainClosing, FixtureKind, HeldBy, PartLocating, TableKeying, VisitingMethod};
+pub use chain::{Chain, ChainError, ChainTerm, PartZero};
 pub use order::{Mixture, Stop, Times, ToolVisit, Visiting};
 pub use route::{Achieved, Alternative, AlternativeStep, Feature, Route, RouteSource};
-pub use set_up::{FixturePlan, JawsAlong, Setup, Stand, Strap, Touched, Vice};
+pub use set_up::{FixturePlan, JawsAlong, OtherZero, OwnFixture, Setup, Stand, Strap, Touched, Vice};
 
 /// What holds cutting conditions back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]

@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 use crate::note::Because;
 use crate::part::{Face, Outline, Part, Point, Standing};
 use crate::tables::rules::{FixtureKind, HeldBy, PartLocating, TableKeying};
-use crate::units::{Micrometres, Newtons};
+use crate::units::{Micrometres, NewtonMetres, Newtons};
+
+use super::{Chain, PartZero};
 
 /// How the part is set up.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -17,8 +19,36 @@ pub struct Setup {
     /// The vice, where straps find no place on the face; without one the part lies on the table, or on what the file says.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vice: Option<Vice>,
+    /// The fixture of the shop's own that the file names, and what it must hold.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub own: Option<OwnFixture>,
+    /// The zeros of the part where the drawing says from where it dimensions its holes, the first for all that it does not
+    /// say it of.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub zeros: Vec<PartZero>,
+    /// The chains of the dimensions that are made here.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub chains: Vec<Chain>,
     /// How the part stands in each set-up.
     pub stands: Vec<Stand>,
+}
+
+/// A fixture of the shop's own: what it must hold, without the safety factor of the table `clamping`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OwnFixture {
+    /// Its name.
+    pub name: String,
+    /// The group of holes with the largest torque.
+    pub hole: String,
+    /// That torque, N·m.
+    pub torque_n_m: NewtonMetres,
+    /// The largest side force, where a transition pushes the part, N.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub side_force_n: Option<Newtons>,
+    /// By how much more it must hold.
+    pub safety: f64,
+    /// Why.
+    pub because: Vec<Because>,
 }
 
 /// The kind of fixture, and how table, fixture and part are located to each other.
@@ -31,8 +61,14 @@ pub struct FixturePlan {
     /// How it is keyed to the table; absent where the record of the machine does not say what its table has.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub keying: Option<TableKeying>,
+    /// How much play its keys or pins have there at most, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub keying_play_mm: Option<Micrometres>,
     /// How the part is located in it.
     pub locating: PartLocating,
+    /// How far part after part is off its place in it, at least and at most, mm; absent where nobody knows the fixture.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub locating_error_mm: Option<[Micrometres; 2]>,
     /// Why.
     pub because: Vec<Because>,
 }
@@ -156,6 +192,9 @@ pub struct Stand {
     /// which is then on the other side.
     #[serde(default)]
     pub touched: Touched,
+    /// The other zeros of the set-up: of holes that the drawing dimensions from other sides.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub other_zeros: Vec<OtherZero>,
     /// From the zero of the drawing up to the face, which the reference tool touches; mm.
     pub face_mm: Micrometres,
     /// The tool that all lengths are counted from.
@@ -168,6 +207,19 @@ pub struct Stand {
     /// From there to the nearest clamp with a screw, mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start_to_clamp_mm: Option<Micrometres>,
+}
+
+/// Another zero of a set-up, found at other sides of each part.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct OtherZero {
+    /// Its function: 55 for G55.
+    pub frame: u8,
+    /// As `sides_mm` of the set-up.
+    pub sides_mm: [Micrometres; 2],
+    /// Which sides these are.
+    pub touched: Touched,
+    /// The groups of holes that are counted from it.
+    pub holes: Vec<String>,
 }
 
 /// The sides of the part that an arbor touches, as it lies.

@@ -131,6 +131,10 @@ pub fn plan_by(
     let vice = setup::vice_instead(part, &holes, &mut of_clamping, &shop)?;
     findings.extend(clamping.iter().flat_map(|clamping| start_point(part, clamping, &shop)));
     findings.extend(of_clamping);
+    let held = setup::held_by(part, vice.as_ref(), clamping.as_ref());
+    let setup::Chains { zeros, chains, findings: of_chains } = setup::chains(part, &holes, held, &shop)?;
+    findings.extend(of_chains);
+    let own = setup::own(part, &holes, &shop)?;
     let visits = sequence::sequence(part, &holes, &shop.machine, None);
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
     let off_table = zone::off_table(part, &shop)?;
@@ -147,7 +151,7 @@ pub fn plan_by(
         holes,
         tools,
         clamping,
-        setup: Setup { vice, ..Setup::default() },
+        setup: Setup { vice, own, zeros, chains, ..Setup::default() },
         sequence: visits,
         visiting,
         time: Times::default(),
@@ -345,6 +349,12 @@ fn unconfirmed(plan: &mut Plan) {
     }
     if let Some(vice) = &plan.setup.vice {
         look(&vice.because, None);
+    }
+    if let Some(fixture) = &plan.setup.fixture {
+        look(&fixture.because, None);
+    }
+    for chain in &plan.setup.chains {
+        look(&chain.because, Some(&chain.hole));
     }
     plan.findings.extend(found);
 }

@@ -127,15 +127,30 @@ impl Default for Setting {
 }
 
 impl Setting {
-    /// The setting for a job: the zeros of its set-ups in G54, G55, and the offset registers. Other programs ran
+    /// The setting for a job: the zeros of its set-ups in G54, G55 and on, and the offset registers. Other programs ran
     /// before its own.
     pub fn of_job(job: &Job) -> Self {
         let mut setting = Self { before: Before::OtherPrograms, ..Self::default() };
-        for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
+        let zeros = job.setups.iter().flat_map(|setup| setup.frames.iter().map(move |_| setup));
+        for (setup, zero) in zeros.zip(&mut setting.zeros) {
             *zero = Axis::ALL.map(|axis| Some(setup.zero.get(axis)));
         }
         setting.correctors = job.correctors.iter().copied().collect();
         setting
+    }
+
+    /// Where the first zero of each set-up of a job lies by it, machine coordinates.
+    pub fn zeros_of(&self, job: &Job) -> Vec<Position> {
+        let zero = |zero: &[Option<Micrometres>; 3]| {
+            Position::of(Axis::ALL.map(|axis| zero[axis.index()].unwrap_or_default() + self.shift.get(axis)))
+        };
+        let mut at = 0;
+        let firsts = job.setups.iter().filter_map(|setup| {
+            let first = self.zeros.get(at);
+            at += setup.frames.len();
+            first.map(zero)
+        });
+        firsts.collect()
     }
 
     /// The file of a setting, as [`read_setting`] reads it: the differences from the power-on state.

@@ -103,13 +103,6 @@ pub struct WorkRef {
     pub work: usize,
 }
 
-impl WorkRef {
-    /// The function of the coordinate system of its set-up: G54 of the first, G55 of the second.
-    pub(crate) fn system(self) -> u32 {
-        crate::job::frame(self.setup).into()
-    }
-}
-
 /// The purpose of a program line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]

@@ -4,10 +4,10 @@
 use crate::document::Document;
 use crate::note::{Figure, Note};
 use crate::part::{Face, Part};
-use crate::plan::{Clamping, FixturePlan, Plan, Stand, Vice};
+use crate::plan::{Clamping, FixturePlan, OtherZero, OwnFixture, Plan, Stand, Touched, Vice};
 use crate::units::Micrometres;
 
-use super::{Lang, clamps_of, mark, rounded, say, weak_screw};
+use super::{Lang, chains, clamps_of, mark, rounded, say, weak_screw};
 
 /// The steps of all set-ups, numbered throughout.
 pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
@@ -22,6 +22,9 @@ pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     for (number, step) in (1..).zip(steps) {
         page.paragraph(format!("{number}. {step}"));
     }
+    if !plan.setup.chains.is_empty() {
+        page.push(chains::table(&plan.setup.chains, lang));
+    }
 }
 
 /// The kind of fixture, its place on the table, and the part in it.
@@ -29,7 +32,13 @@ fn kind(fixture: &FixturePlan, lang: Lang) -> String {
     let said = |code: String| lang.say(&Note::new(code));
     let mut sentences = vec![said(format!("plan-fixture-{}-{}", fixture.fixture_kind.name(), fixture.held.name()))];
     sentences.extend(fixture.keying.map(|keying| said(format!("plan-keying-{}", keying.name()))));
+    let play = fixture.keying_play_mm.map(|play| lang.say(&Note::new("plan-keying-play").with("play", play)));
+    sentences.extend(play);
     sentences.push(said(format!("plan-locating-{}", fixture.locating.name())));
+    let error = fixture
+        .locating_error_mm
+        .map(|[least, most]| lang.say(&Note::new("plan-locating-error").with("least", least).with("most", most)));
+    sentences.extend(error);
     sentences.join(" ")
 }
 
@@ -43,14 +52,30 @@ fn on_table(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
     let supports = lang.say(&Note::new(key).with("setup", stand.set_up).with("height", stand.height_mm));
     let lies = lang.say(&lies(stand));
     let held = match &plan.clamping {
-        _ if stand.face == Face::Back => say!(lang, "setting-clamps-of-second", setup = stand.set_up).to_owned(),
+        _ if stand.face == Face::Back && plan.setup.own.is_none() => {
+            say!(lang, "setting-clamps-of-second", setup = stand.set_up).to_owned()
+        }
         Some(clamping) => clamps(clamping, &plan.part, lang),
+        None if plan.setup.own.is_some() => plan.setup.own.iter().map(|own| own_fixture(own, lang)).collect(),
         None => lang.word("plan-no-clamping").to_owned(),
     };
     // What stands under a part by the file is not ours to place.
     let where_ = (key == "plan-supports-assumed").then(|| lang.word("plan-supports-where").to_owned());
     let part: Vec<String> = [Some(supports), where_, Some(lies)].into_iter().flatten().collect();
     vec![part.join(" "), held]
+}
+
+/// What the fixture of the file must hold.
+pub(crate) fn own_fixture(own: &OwnFixture, lang: Lang) -> String {
+    let note = Note::new(if own.side_force_n.is_some() { "plan-own-fixture-pushed" } else { "plan-own-fixture" });
+    let side = own.side_force_n.map_or(0.0, |side| side.0);
+    let note = note
+        .with("name", Figure::called(&own.name))
+        .with("hole", Figure::called(&own.hole))
+        .with("torque", rounded(own.torque_n_m.0, 2))
+        .with("side", rounded(side, 0))
+        .with("safety", rounded(own.safety, 2));
+    lang.say(&if own.side_force_n.is_some() { note } else { note.without("side") })
 }
 
 /// Where the corner of the part lies on the table.
@@ -102,22 +127,15 @@ fn clamps(clamping: &Clamping, part: &Part, lang: Lang) -> String {
 /// The knee, the zeros and the first motion.
 fn place(stand: &Stand, lang: Lang) -> Vec<String> {
     let [x, y, z] = stand.zero_mm;
-    let [along, across] = stand.sides_mm;
     let knee = stand.nose_to_table_mm.map(|nose| lang.say(&Note::new("plan-knee").with("nose", nose)));
     let frame = format!("G{}", stand.frame);
-    let sides = Note::new("plan-zero-by-sides")
-        .with("frame", frame.as_str())
-        .with("side", lang.word(if stand.touched.left { "plan-side-left" } else { "plan-side-right" }).to_owned())
-        .with("end", lang.word(if stand.touched.front { "plan-side-front" } else { "plan-side-back" }).to_owned())
-        .with("right", less_radius(along, stand.touched.left))
-        .with("back", less_radius(across, stand.touched.front))
-        .with("x", x)
-        .with("y", y);
+    let sides = touching("plan-zero-by-sides", &frame, stand.touched, stand.sides_mm, lang).with("x", x).with("y", y);
     let mut sides = vec![lang.say(&sides)];
     // A blank is not as long as drawn: what both set-ups make must be counted from one face.
     if stand.face == Face::Back {
         sides.push(lang.word("plan-same-face").to_owned());
     }
+    let others = stand.other_zeros.iter().map(|other| other_zero(other, &frame, lang));
     let face = Note::new("plan-zero-by-face")
         .with("frame", frame.as_str())
         .with("tool", stand.reference_tool.map_or_else(String::new, |tool| format!(" T{tool}")))
@@ -132,9 +150,32 @@ fn place(stand: &Stand, lang: Lang) -> Vec<String> {
         }
         None => lang.say(&start),
     };
-    knee.into_iter()
-        .chain([sides.join(" "), [lang.say(&face).as_str(), lang.word("plan-lengths-measured")].join(" "), start])
-        .collect()
+    let face = [lang.say(&face).as_str(), lang.word("plan-lengths-measured")].join(" ");
+    knee.into_iter().chain([sides.join(" "), face]).chain(others).chain([start]).collect()
+}
+
+/// The sides that an arbor touches for a zero, and what is taken away from what it shows there.
+fn touching(key: &'static str, frame: &str, touched: Touched, sides: [Micrometres; 2], lang: Lang) -> Note {
+    let [right, back] = less_radii(sides, touched);
+    Note::new(key)
+        .with("frame", frame)
+        .with("side", lang.word(if touched.left { "plan-side-left" } else { "plan-side-right" }).to_owned())
+        .with("end", lang.word(if touched.front { "plan-side-front" } else { "plan-side-back" }).to_owned())
+        .with("right", right)
+        .with("back", back)
+}
+
+/// A further zero, of the holes that the drawing dimensions from other sides.
+fn other_zero(zero: &OtherZero, first: &str, lang: Lang) -> String {
+    let holes = Figure::list(zero.holes.iter().map(|name| Figure::called(name)));
+    let frame = format!("G{}", zero.frame);
+    let note = touching("plan-other-zero", &frame, zero.touched, zero.sides_mm, lang);
+    lang.say(&note.with("holes", holes).with("first", first))
+}
+
+/// The same for the two sides of a zero, as sums to key in.
+pub(crate) fn less_radii([along, across]: [Micrometres; 2], touched: Touched) -> [String; 2] {
+    [less_radius(along, touched.left), less_radius(across, touched.front)]
 }
 
 /// What is taken away from what an arbor Ø d at a side shows: ` − 250 − d/2`, at a left or front side ` + d/2`.
@@ -144,7 +185,7 @@ fn less_radius(length: Micrometres, low: bool) -> String {
 }
 
 /// A length taken away in a sum: ` − 250`, or ` + 250` where it lies on the other side of the zero.
-fn less(length: Micrometres) -> String {
+pub(crate) fn less(length: Micrometres) -> String {
     let sign = if length < Micrometres::ZERO { '+' } else { '−' };
     format!(" {sign} {}", length.abs())
 }

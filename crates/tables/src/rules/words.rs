@@ -181,6 +181,8 @@ vocabulary! {
         Vice = "vice",
         /// Nothing that the tables have.
         Nothing = "nothing",
+        /// A fixture of the shop's own, which the file names.
+        Own = "own",
     }
 
     /// A kind of fixture (textbook 1.6).
@@ -193,6 +195,33 @@ vocabulary! {
         Specialised = "specialised",
         /// Made for the one part.
         Special = "special",
+    }
+
+    /// Whether a chain of dimensions closes.
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum ChainClosing {
+        /// Whatever the errors are.
+        AtWorst = "at-worst",
+        /// Statistically.
+        Ordinarily = "ordinarily",
+        /// Not by figures that nothing confirms, and by the others it does.
+        Unconfirmed = "unconfirmed",
+        /// Not even by the confirmed figures.
+        Fails = "fails",
+    }
+
+    /// How grave it is that a chain closes as it does.
+    pub enum ChainSeverity {
+        None = "none",
+        Doubtful = "doubtful",
+        Wrong = "wrong",
+    }
+
+    /// How many zeros a part gets.
+    pub enum ChainZeros {
+        One = "one",
+        Each = "each",
     }
 
     /// How a fixture is keyed to the table (textbook 1.7).

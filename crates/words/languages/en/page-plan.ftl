@@ -127,6 +127,22 @@ plan-keying-cross-elements = On the table: by its cross slot or central hole (1.
 plan-locating-three-planes = The part: by three planes, the one it lies on and two sides (1.9).
 plan-locating-two-planes-and-hole = The part: by two planes and a hole (1.9).
 plan-locating-plane-and-two-holes = The part: by a plane and two fine holes, the most accurate way (1.9).
+plan-keying-play = It costs up to { $play } mm of play*.
+plan-locating-error = It costs { $least } to { $most } mm from part to part*.
+plan-fixture-special-own = A fixture of your own (1.6).
+plan-own-fixture = { $name } holds the part. It must hold { $safety } times M = { $torque } N·m of hole { $hole }.
+plan-own-fixture-pushed = { $name } holds the part. It must hold { $safety } times M = { $torque } N·m of hole { $hole }, and { $safety } times a side force of { $side } N.
+plan-other-zero = { $frame }, of { $holes }, on each part anew: touch the { $side } and the { $end } side with an arbor Ø d and read xM, yM: X = xM{ $right }, Y = yM{ $back }; on a blank of nominal size the X and Y of { $first }. Z is that of { $first }.
+plan-chain-hole = Holes
+plan-chain-from = From
+plan-chain-axis = Along
+plan-chain-sum = Errors
+plan-chain-worst = At worst
+plan-chain-likely = Statistically
+plan-chain-tolerance = Tolerance
+plan-chain-closes = Chain
+plan-chain-term = { $what } { $field }
+plan-chains-how = Fields of error, mm; statistically: the root of the sum of their squares.
 plan-supports-given = Set-up { $setup }: the part on supports of { $height } mm, as the file says.
 plan-supports-assumed = Set-up { $setup }: the part on supports of { $height } mm, so that tools have room below it; the file gives no height (fixture.height).
 plan-supports-where = Supports stand under the clamps and beyond the outermost holes, so that no thrust tips the part, and clear of the through holes.

@@ -45,3 +45,15 @@ program-numbers-run-out = behind the program number { $number } there is no room
 setting-zeros = Zeros of the part, from the zero of the machine
 setting-frame = Frame
 setting-file = `--show setting --format yaml` writes the file of this setting for `technolog check … --setting`.
+setting-keys = Keying in, in this order
+keys-input = { $keys }: input from the panel
+keys-correctors = { $keys }: the table of correctors
+keys-reference = The reference tool{ $tool } down onto a gauge block on the table; { $keys }: Z is shown as 0
+keys-corrector = T{ $tool } down onto the same block; { $keys }: its length goes into H{ $corrector }, about { $value }
+keys-restore = { $keys }: Z is shown as before
+keys-leave = { $keys }: out of the table
+keys-zeros = Set-up { $setup }: { $keys }: the table of zeros
+keys-page = { $keys }, until page { $page }: { $frame } stands there
+keys-value = { $frame }, lines X and Y, { $keys } each: X = xM{ $x }, about { $about_x }; Y = yM{ $y }, about { $about_y }
+keys-read-z = The reference tool{ $tool } from Z 0 of the machine down onto the face; { $keys } on line Z of { $frame }: about { $about }
+keys-value-z = The reference tool{ $tool } from Z 0 of the machine down onto the face, read zM; { $frame }, line Z, { $keys }: Z = zM{ $less }, about { $about }

@@ -35,6 +35,12 @@ vice-no-grip = { $vice }: of a part { $thickness } mm thick the jaws of { $jaws 
 vice-not-that-high = { $vice }: { $height } mm under the part by the file stands against it: its ways are { $ways } mm high, and no parallels make up the rest with a grip of { $least } to { $most } mm in jaws of { $jaws } mm; a tool comes out { $below } mm below
 vice-parallels-in-the-way = { $vice }: { $beside } mm from a jaw to the nearest hole < { $thinnest } mm, the thinnest parallels: the tool would cut them
 no-place-for-clamps = none of the places that are tried for two, four or six straps on the face would hold the part: { $why }; give places under `clamps`, cut lighter, or take a vice or a special fixture, to hold against M = { $torque } N·m
+# Chains of dimensions. $from (side or name), $term (chain-term)
+chain-ordinarily = along { $axis } from { $from } the chain closes statistically only: { $sum } = { $worst } mm > { $tolerance } mm at worst, { $likely } mm as a root of squares; the most costs { $term }, { $most } mm: measure the first parts
+chain-unconfirmed = along { $axis } from { $from } the chain does not close by figures that nothing confirms: { $sum } = { $worst } mm, as a root of squares { $likely } mm > { $tolerance } mm; the most costs { $term }, { $most } mm: measure it
+chain-fails = along { $axis } from { $from } the chain does not close: { $sum } = { $worst } mm, as a root of squares { $likely } mm > { $tolerance } mm; the most costs { $term }, { $most } mm
+chain-without-size = along { $axis } from { $from } the chain with { $tolerance } mm is not known to close: the zero is found at the opposite side, and nobody says the tolerance of the size between them: give it under `dimensions`, from side to side
+chain-without-locating = along { $axis } from { $from } the chain with { $tolerance } mm is not known to close: how far the part is off in a fixture of your own nobody says
 proof-too-hard = { $operation }: HB { $hardness } > HB { $limit }, where tools of high-speed steel end; carbide is needed, and the catalogs have no such tool here
 proof-too-fast = { $operation }: speed { $value } m/min > { $percent } % of the upper end of practice, { $usual } m/min
 proof-twists = { $operation }: torque { $value } N·m > { $limit } N·m that the drill of Ø{ $drill } bears

@@ -116,6 +116,22 @@ plan-keying-cross-elements = На столі: за поперечним пазо
 plan-locating-three-planes = Деталь: на трьох площинах – тій, на якій лежить, і двох бокових (1.9).
 plan-locating-two-planes-and-hole = Деталь: на двох площинах і отворі (1.9).
 plan-locating-plane-and-two-holes = Деталь: на площині й двох класних отворах, найточніше (1.9).
+plan-keying-play = Це коштує до { $play } мм зазору*.
+plan-locating-error = Це коштує від { $least } до { $most } мм від деталі до деталі*.
+plan-fixture-special-own = Власне пристосування (1.6).
+plan-own-fixture = Деталь тримає { $name }. Воно має втримати { $safety } × M = { $torque } Н·м на отворі { $hole }.
+plan-own-fixture-pushed = Деталь тримає { $name }. Воно має втримати { $safety } × M = { $torque } Н·м на отворі { $hole } і { $safety } × бокову силу { $side } Н.
+plan-other-zero = { $frame }, для { $holes }, на кожній деталі знову: торкніться { $side } й { $end } боку оправкою Ø d і зчитайте xM, yM: X = xM{ $right }, Y = yM{ $back }; на заготовці номінального розміру – X і Y від { $first }. Z – як у { $first }.
+plan-chain-hole = Отвори
+plan-chain-from = База
+plan-chain-axis = Уздовж
+plan-chain-sum = Похибки
+plan-chain-worst = У найгіршому разі
+plan-chain-likely = Імовірнісно
+plan-chain-tolerance = Допуск
+plan-chain-closes = Ланцюг
+plan-chain-term = { $what } { $field }
+plan-chains-how = Поля похибок, мм; імовірнісно – корінь із суми їхніх квадратів.
 plan-supports-given = Установ { $setup }: деталь на опорах { $height } мм, як задано у файлі.
 plan-supports-assumed = Установ { $setup }: деталь на опорах { $height } мм, щоб інструментові було куди вийти під деталлю; у файлі висоти не задано (fixture.height).
 plan-supports-where = Опори – під притискачами й за крайніми отворами, щоб осьова сила не перекидала деталь, і не під наскрізними отворами.

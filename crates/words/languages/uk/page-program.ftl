@@ -45,3 +45,15 @@ program-numbers-run-out = за номером програми { $number } не�
 setting-zeros = Нулі деталі від нуля верстата
 setting-frame = Система координат
 setting-file = Файл цього налагодження для `technolog check … --setting` дає `--show setting --format yaml`.
+setting-keys = Набір на пульті, по черзі
+keys-input = { $keys }: введення з пульта
+keys-correctors = { $keys }: таблиця коректорів
+keys-reference = Еталонний інструмент{ $tool } підвести до мірної плитки на столі; { $keys }: індикація Z показує 0
+keys-corrector = T{ $tool } підвести до тієї самої плитки; { $keys }: довжина записується в H{ $corrector }, близько { $value }
+keys-restore = { $keys }: індикація Z – як раніше
+keys-leave = { $keys }: вийти з таблиці
+keys-zeros = Установ { $setup }: { $keys }: таблиця нулів
+keys-page = { $keys }, до сторінки { $page }: там { $frame }
+keys-value = { $frame }, рядки X і Y, щоразу { $keys }: X = xM{ $x }, близько { $about_x }; Y = yM{ $y }, близько { $about_y }
+keys-read-z = Еталонний інструмент{ $tool } від Z 0 верстата підвести до поверхні; { $keys } у рядку Z для { $frame }: близько { $about }
+keys-value-z = Еталонний інструмент{ $tool } від Z 0 верстата підвести до поверхні, зчитати zM; { $frame }, рядок Z, { $keys }: Z = zM{ $less }, близько { $about }

@@ -14,7 +14,7 @@ use std::sync::Arc;
 use crate::error::KnowledgeError;
 use crate::job;
 use crate::knowledge::diagnostic::Place;
-use crate::motion::{Axis, Motion, MotionStep, Position};
+use crate::motion::{Axis, Motion, MotionStep};
 use crate::note::{Note, Severity};
 use crate::plan::{HolePlan, Operation, Plan};
 use crate::program::proof::{self, Code, ProofInput, Tolerated, prove};
@@ -122,10 +122,7 @@ fn proven(
     setting: &Setting,
     run: &SimulatedProgram,
 ) -> Result<Vec<proof::ProgramFinding>, KnowledgeError> {
-    let zero = |zero: &[Option<Micrometres>; 3]| {
-        Position::of(Axis::ALL.map(|axis| zero[axis.index()].unwrap_or_default() + setting.shift.get(axis)))
-    };
-    let zeros: Vec<Position> = setting.zeros.iter().take(job.setups.len()).map(zero).collect();
+    let zeros = setting.zeros_of(job);
     let tolerated = Tolerated::read(&plan.part, context.shop.knowledge)?;
     // Offset registers are those of the plan where it states any, otherwise those of the operator.
     let says = |quantity| context.stated.tools.iter().any(|tool| tool.figures.contains_key(&quantity));

@@ -1,12 +1,14 @@
 //! A part with its plan and job: the reference that programs are compared with.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use crate::error::KnowledgeError;
 use crate::job::{self, Job};
 use crate::knowledge::Knowledge;
-use crate::motion::{Axis, MotionStep, Position};
+use crate::motion::{Axis, MotionStep};
 use crate::note;
+use crate::part::Along;
 use crate::plan::Plan;
 use crate::program::setting::Before;
 use crate::program::{Language, Setting};
@@ -55,15 +57,39 @@ impl PlannedJob {
     /// Other programs may have run before the one that makes the part.
     pub fn set(&mut self, setting: &mut Setting) {
         setting.before = Before::OtherPrograms;
-        for (setup, zero) in self.job.setups.iter().zip(&mut setting.zeros) {
-            for axis in Axis::ALL {
-                zero[axis.index()].get_or_insert(setup.zero.get(axis));
+        let mut at = 0;
+        for setup in &self.job.setups {
+            let own = at..at + setup.frames.len();
+            at = own.end;
+            for zero in setting.zeros.iter_mut().take(own.end).skip(own.start) {
+                for axis in Axis::ALL {
+                    zero[axis.index()].get_or_insert(setup.zero.get(axis));
+                }
             }
+            self.of_nominal_size(setting, own);
         }
         let correctors: BTreeMap<u32, Micrometres> = self.job.correctors.iter().copied().collect();
         self.own_correctors = !setting.correctors.is_empty() && setting.correctors != correctors;
         if !self.own_correctors {
             setting.correctors = correctors;
+        }
+    }
+
+    /// Further zeros of a set-up that differ from its first by no more than the size of the blank may: on this blank they are right,
+    /// and the holes are proven as on one of nominal size.
+    fn of_nominal_size(&self, setting: &mut Setting, own: Range<usize>) {
+        let Some(first) = setting.zeros.get(own.start).copied() else { return };
+        for zero in setting.zeros.iter_mut().take(own.end).skip(own.start + 1) {
+            for (axis, along) in [(Axis::X, Along::X), (Axis::Y, Along::Y)] {
+                let (Some(tolerance), Some(one), Some(other)) =
+                    (self.plan.part.size_tolerance(along), first[axis.index()], zero[axis.index()])
+                else {
+                    continue;
+                };
+                if (one - other).abs() <= tolerance {
+                    zero[axis.index()] = Some(one);
+                }
+            }
         }
     }
 
@@ -82,10 +108,7 @@ impl PlannedJob {
 
     /// Compares the steps of a program with the job.
     pub fn prove(&self, steps: &[MotionStep], setting: &Setting) -> Proof {
-        let zero = |zero: &[Option<Micrometres>; 3]| {
-            Position::of(Axis::ALL.map(|axis| zero[axis.index()].unwrap_or_default() + setting.shift.get(axis)))
-        };
-        let zeros: Vec<Position> = setting.zeros.iter().take(self.job.setups.len()).map(zero).collect();
+        let zeros = setting.zeros_of(&self.job);
         prove(
             steps,
             &ProofInput {

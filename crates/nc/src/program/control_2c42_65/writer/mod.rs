@@ -101,7 +101,7 @@ fn one_tool(
                 let turning = Block::new().word('S', cycle.speed_rpm.0).m(3);
                 let turning = if work.coolant { turning.m(8) } else { turning };
                 sheet.push_block(turning, place(LineRole::Spindle));
-                sheet.push_block(to(Block::new().g(0).g(work_ref.system())), place(LineRole::Approach));
+                sheet.push_block(to(Block::new().g(0).g(work.frame.into())), place(LineRole::Approach));
                 sheet.push_block(down.g(43).word('H', work.corrector), place(LineRole::Approach));
             }
             Some((last, known)) => {

@@ -62,7 +62,7 @@ impl ProgramWriter<'_> {
                 }
             }
             if index == 0 {
-                self.push_block(to.clone().g(0).g(work_ref.system()), LineRole::Approach, place, number);
+                self.push_block(to.clone().g(0).g(work.frame.into()), LineRole::Approach, place, number);
                 let known = job.correctors.iter().find(|(corrector, _)| *corrector == work.corrector);
                 let value = known.map(|(_, value)| form.grid(*value)).unwrap_or_default();
                 for down in dialect.length_on(length(cycle.out), work.corrector, value) {
