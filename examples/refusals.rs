@@ -21,6 +21,7 @@ fn main() -> Result<(), std::io::Error> {
         match verdict {
             Verdict::Wanting(why) => println!("wanting: {hole}: {why}"),
             Verdict::Refused { limit, why, nearest: None } => println!("nothing near: {hole}: {limit}: {why}"),
+            Verdict::Refused { limit, why, .. } => println!("refused: {hole}: {limit}: {why}"),
             _ => {}
         }
     }

@@ -39,7 +39,7 @@ pub(crate) fn spring(
     spread: Micrometres,
     shop: &Shop<'_>,
 ) -> Result<Option<Micrometres>, KnowledgeError> {
-    let Some(Bar { reach, diameter: bar, carbide }) = bar(transition, shop)? else { return Ok(None) };
+    let Some(Bar { reach, diameter: bar, carbide, .. }) = bar(transition, shop)? else { return Ok(None) };
     let Some(group) = practice_group(&shop.material, shop.knowledge)? else { return Ok(None) };
     let Some(force) = shop.knowledge.ask(&SpecificCuttingForceFor { vdi: group.vdi })?.winner()? else {
         return Ok(None);
@@ -122,10 +122,14 @@ fn buckles(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, Kn
     Ok((value.0 > limit.0 * SLACK).then_some(Fault::Buckles { operation, drill, flutes, value, limit }))
 }
 
-/// Checks that the overhang of a boring bar is not too long for steel, or for carbide.
+/// Checks that the overhang of a boring bar is not too long for steel, for carbide, or for a damper.
 fn slender(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
-    let Some(Bar { reach, diameter: bar, carbide }) = bar(transition, shop)? else { return Ok(None) };
-    let of = if carbide { ProofLimit::CarbideBarOverhangRatio } else { ProofLimit::BarOverhangRatio };
+    let Some(Bar { reach, diameter: bar, carbide, damped }) = bar(transition, shop)? else { return Ok(None) };
+    let of = match (damped, carbide) {
+        (true, _) => ProofLimit::DampedBarOverhangRatio,
+        (false, true) => ProofLimit::CarbideBarOverhangRatio,
+        (false, false) => ProofLimit::BarOverhangRatio,
+    };
     let ratio = limit(of, shop)?;
     let operation = transition.operation;
     Ok((reach.to_mm() > bar.to_mm() * ratio).then_some(Fault::BarSlender { operation, reach, bar, ratio }))
@@ -159,6 +163,7 @@ struct Bar {
     reach: Micrometres,
     diameter: Micrometres,
     carbide: bool,
+    damped: bool,
 }
 
 /// The boring bar of a transition.
@@ -167,7 +172,8 @@ fn bar(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Bar>, Knowledg
         return Ok(None);
     }
     Ok(row(transition, shop)?.and_then(|row| {
-        Some(Bar { reach: row.reach?, diameter: row.bar_diameter?, carbide: row.carbide_bar == Some(true) })
+        let (carbide, damped) = (row.carbide_bar == Some(true), row.damped_bar == Some(true));
+        Some(Bar { reach: row.reach?, diameter: row.bar_diameter?, carbide, damped })
     }))
 }
 

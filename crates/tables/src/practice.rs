@@ -187,6 +187,7 @@ vocabulary! {
         BarOverhangRatio = "bar-overhang-ratio",
         BarElasticModulus = "bar-elastic-modulus",
         CarbideBarOverhangRatio = "carbide-bar-overhang-ratio",
+        DampedBarOverhangRatio = "damped-bar-overhang-ratio",
         CarbideBarElasticModulus = "carbide-bar-elastic-modulus",
         BarRadialShare = "bar-radial-share",
         SpeedOverPractice = "speed-over-practice",

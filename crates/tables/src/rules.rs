@@ -232,6 +232,7 @@ rows! {
     pub struct NextTransition of One("next-transition") asked by NextTransitionFor {
         after: HoleState,
         diameter: Micrometres,
+        beyond_core_drills: bool,
     } {
         operation: Operation,
         leaves: HoleState,

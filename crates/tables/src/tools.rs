@@ -41,6 +41,7 @@ rows! {
         pilot_bore: Option<Micrometres>,
         bar_diameter: Option<Micrometres>,
         carbide_bar: Option<bool>,
+        damped_bar: Option<bool>,
         nose_radius: Option<Micrometres>,
         teeth: Option<i64>,
         mass: Option<Kilograms>,

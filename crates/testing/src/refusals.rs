@@ -38,6 +38,13 @@ pub enum Verdict {
     LeftElsewhere,
     /// Planned, but something of the drawing is not held.
     Wanting(String),
+    /// Refused here, and planned without an error on another machine, which the plan names.
+    OtherMachine {
+        /// The id of that machine.
+        machine: String,
+        /// The code of the limit of this machine.
+        limit: String,
+    },
     /// Refused: the code of the limit, its sentence, and what is possible beside it.
     Refused {
         /// The code of the limit.
@@ -58,10 +65,19 @@ pub fn verdict(hole: &GridHole) -> Verdict {
     if own.route.is_none() {
         let of_limit = |limit: &&str| errors.iter().find(|note| note.code() == *limit);
         let why = LIMITS.iter().find_map(of_limit).or(errors.first());
-        let is_near = |code: &str| code.starts_with("nearest-");
+        let limit_code = why.map_or_else(String::new, |note| note.code().to_owned());
+        let named = plan.findings.iter().filter(|finding| finding.note.code() == "nearest-machine");
+        for machine in named.filter_map(|finding| finding.note.figure_text("machine")) {
+            let there = hole.part().replace("machine: gf2171", &format!("machine: {machine}"));
+            let plan = crate::planned(&crate::read(&there), CuttingMethod::Formula);
+            if !plan.has_errors() {
+                return Verdict::OtherMachine { machine, limit: limit_code };
+            }
+        }
+        let is_near = |code: &str| code.starts_with("nearest-") && code != "nearest-machine";
         let nearest = plan.findings.iter().find(|finding| is_near(finding.note.code()));
         return Verdict::Refused {
-            limit: why.map_or_else(String::new, |note| note.code().to_owned()),
+            limit: limit_code,
             why: why.map_or_else(String::new, |note| Lang::EN.say(note)),
             nearest: nearest.map(|finding| Lang::EN.say(&finding.note)),
         };
@@ -79,13 +95,15 @@ pub fn table(outcomes: &[(GridHole, Verdict)]) -> String {
     let refused = count(|verdict| matches!(verdict, Verdict::Refused { .. }));
     let share = |part: usize| 100.0 * part as f64 / outcomes.len().max(1) as f64;
     let (planned, left) = (count(|it| *it == Verdict::Planned), count(|it| *it == Verdict::LeftElsewhere));
-    let wanting = outcomes.len() - refused - planned - left;
+    let other = count(|verdict| matches!(verdict, Verdict::OtherMachine { .. }));
+    let wanting = outcomes.len() - refused - planned - left - other;
     let mut text = String::new();
     let _ = writeln!(
         text,
         "{} holes: {planned} planned here, {left} finished on another machine, {wanting} planned with a requirement that is not held,\n\
-         {refused} refused ({:.1} %).\n",
+         {other} beyond this machine and planned on another one that the plan names ({:.1} %), {refused} refused ({:.1} %).\n",
         outcomes.len(),
+        share(other),
         share(refused)
     );
     let mut limits: BTreeMap<&str, Vec<(&GridHole, &Verdict)>> = BTreeMap::new();

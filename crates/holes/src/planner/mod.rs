@@ -109,6 +109,7 @@ pub fn plan_by(
                     let deep = options.refused.iter().any(|other| other.why.is_of_depth());
                     let drills = (&*chooser.drills(), &*drills);
                     options.nearest = nearest::nearest((hole, deep), part, preference, drills, &shop)?;
+                    options.other_machine = nearest::machine(hole, part, preference, &shop)?;
                 }
                 chooser.add(index, options);
             }
@@ -201,7 +202,7 @@ fn draft(
             };
             report(Severity::Error, note);
         }
-        if let Some(nearest) = &options.nearest {
+        for nearest in options.nearest.iter().chain(&options.other_machine) {
             report(Severity::Note, nearest.clone());
         }
         return Ok(HoleDraft { route: None, steps: Vec::new() });

@@ -1,12 +1,13 @@
 //! For a hole that nothing makes: the nearest depth at which the same hole can be made or, if no depth helps, the grade and
-//! roughness.
+//! roughness; and the machine that makes it as drawn.
 
 use crate::error::{KnowledgeError, Refusal};
-use crate::note::Note;
+use crate::machine::Machine;
+use crate::note::{Figure, Note};
 use crate::part::{Hole, Part, ToleratedDiameter, tolerance_width};
 use crate::plan::Preference;
 use crate::shop::Shop;
-use crate::tooling::DrillSize;
+use crate::tooling::{self, DrillSize};
 use crate::units::{ItGrade, Micrometres, Microns, Roughness};
 
 use super::options::{self, Choice};
@@ -39,6 +40,28 @@ pub(super) fn nearest(
     };
     // What does not name depth may still be one of its reasons, such as a bar that enters no hole so long.
     if coarser.is_none() && !deep { depth(hole, part, preference, drills, shop) } else { Ok(coarser) }
+}
+
+/// The first other machine of the knowledge base on which the hole can be made as drawn; none where no machine helps.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub(super) fn machine(
+    hole: &Hole,
+    part: &Part,
+    preference: Preference,
+    shop: &Shop<'_>,
+) -> Result<Option<Note>, KnowledgeError> {
+    for id in Machine::ids(shop.knowledge).filter(|id| *id != shop.machine.id()) {
+        let part = Part { machine: id.to_owned(), ..part.clone() };
+        let shop = Shop::new(&part, shop.method, shop.knowledge)?;
+        let drills = tooling::drill_sizes(&shop)?;
+        let found = Refusal::split(options::options(hole, &part, preference, (&[], &drills), &shop))?;
+        if found.is_ok_and(|found| found.choices.iter().any(Choice::meets_requirements) && found.impossible.is_empty()) {
+            return Ok(Some(Note::new("nearest-machine").with("machine", Figure::word_of("machine", id.to_owned()))));
+        }
+    }
+    Ok(None)
 }
 
 /// The finest grade, with a roughness that goes with it, at which the same hole can be made; none for threads and counterbores.

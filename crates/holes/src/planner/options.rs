@@ -121,6 +121,8 @@ pub(super) struct Options {
     pub remarks: Vec<Note>,
     /// Where no route can be carried out: the nearest depth at which one can.
     pub nearest: Option<Note>,
+    /// There, too: another machine that makes the hole as drawn.
+    pub other_machine: Option<Note>,
 }
 
 impl Options {

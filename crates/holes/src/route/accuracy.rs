@@ -29,13 +29,15 @@ pub(super) fn start(bore: &Bore) -> HoleState {
     }
 }
 
-/// The answer of `next-transition` to a state and the diameter the transition leaves.
+/// The answer of `next-transition` to a state of a cylinder and the diameter the transition leaves.
 pub(super) fn next_transition<'k>(
     state: HoleState,
     diameter: Micrometres,
+    bore: &Bore,
     shop: &Shop<'k>,
 ) -> Result<TypedAnswer<'k, NextTransition<'k>>, KnowledgeError> {
-    shop.knowledge.ask(&NextTransitionFor { after: state, diameter })
+    let beyond_core_drills = bore.beyond_core_drills;
+    shop.knowledge.ask(&NextTransitionFor { after: state, diameter, beyond_core_drills })
 }
 
 /// Grade and roughness of a row of accuracy.
@@ -139,7 +141,7 @@ pub fn write(
         let next = if state == HoleState::Finished {
             Vec::new()
         } else {
-            next_transition(state, diameter, shop)?.winners()?
+            next_transition(state, diameter, bore, shop)?.winners()?
         };
         if let Some(row) = next.iter().find(|row| row.operation == operation) {
             state = row.leaves;

@@ -6,11 +6,13 @@
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note};
 use crate::part::{BlankHole, Bottom, Face, Hole, Part, Thread, ToleratedDiameter};
-use crate::plan::Feature;
+use crate::plan::{Feature, Operation};
 use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
 use crate::tables::rules::BlankState;
+use crate::tables::tools::CutterRow;
 use crate::units::{ItGrade, Micrometres, Roughness};
+use crate::zone;
 use technolog_note::note;
 
 use super::StepLocation;
@@ -44,6 +46,8 @@ pub struct Bore {
     pub before: Before,
     /// Whether its floor or shoulder must be flat.
     pub flat: bool,
+    /// Whether it is deeper than any core drill of its size reaches.
+    pub beyond_core_drills: bool,
     /// Its thread.
     pub thread: Option<Thread>,
     /// The depth of the full thread below the face: a blind hole is drilled deeper than that.
@@ -121,6 +125,17 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     task_with_run_out(hole, part, HoleDefault::ThreadRunoutPitches, shop)
 }
 
+/// Whether no core drill of a hole's size reaches its end: one that is at most a tenth thinner, on its own flutes or on an arbor
+/// that follows it in.
+fn beyond_core_drills(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+    let nominal = hole.diameter.nominal;
+    let needed = hole.depth + zone::approach(part, hole.through, shop.knowledge)?.overrun;
+    let of_size = |own: Micrometres| own <= nominal && own >= nominal.ratio(9, 10);
+    let reaches = |row: &CutterRow<'_>| row.bore.is_some() || row.flute_length.is_none_or(|flutes| flutes >= needed);
+    let core_drills = shop.shelf.cutters_for(Operation::CoreDrill)?;
+    Ok(!core_drills.into_iter().any(|row| row.diameter.is_some_and(of_size) && reaches(row)))
+}
+
 /// As [`task`], with the convention that says how many pitches the run-out of a blind thread has.
 ///
 /// # Errors
@@ -150,6 +165,7 @@ pub fn task_with_run_out(
         roughness: hole.roughness,
         before: Before::Blank(hole.state),
         flat: !hole.through && hole.bottom == Bottom::Flat && hole.thread.is_none(),
+        beyond_core_drills: beyond_core_drills(hole, part, shop)?,
         thread: hole.thread.clone(),
         thread_depth: hole.depth,
     };
@@ -180,6 +196,7 @@ pub fn task_with_run_out(
                 before: Before::Own,
                 // A tapped hole ends in the cone of its drill.
                 flat: step.bottom == Bottom::Flat && step.thread.is_none(),
+                beyond_core_drills: false,
                 thread: step.thread.clone(),
                 thread_depth: step.depth,
             });
@@ -207,6 +224,7 @@ pub fn task_with_run_out(
             roughness: shop.roughness(HoleDefault::CounterboreRa)?,
             before: Before::Own,
             flat: true,
+            beyond_core_drills: false,
             thread: None,
             thread_depth: counterbore.depth,
         });

@@ -286,7 +286,7 @@ impl<'a, 'k> Graph<'a, 'k> {
         match self.answers.entry((state, diameter)) {
             Entry::Occupied(known) => Ok(known.into_mut()),
             Entry::Vacant(new) => {
-                let answer = accuracy::next_transition(state, diameter, self.shop)?.answer;
+                let answer = accuracy::next_transition(state, diameter, self.bore, self.shop)?.answer;
                 Ok(new.insert(answer.winners().map(|winner| winner.index).collect()))
             }
         }

@@ -18,6 +18,7 @@ no-scheme = the tables give no scheme: grade { $it }, { $roughness }, centre tol
 no-route = { $diameter }: no scheme is possible ({ $tried } refused)
 nearest-depth = the nearest depth at which this hole can be made here is { $depth } mm, not { $asked } mm
 nearest-thickness = through a blank of { $depth } mm this hole can be made here, not through { $asked } mm
+nearest-machine = on the machine { $machine } this hole can be made as drawn
 finish-elsewhere = the tables finish this hole on a machine of another type: scheme { $scheme } leaves { $stock } mm on the diameter for it, and grade, roughness and position are that machine's to reach
 grade-without-distance = centre_tolerance: IT{ $it } needs two holes in the group; give the width in mm
 grade-outside-table = IT{ $it } at a centre distance of { $distance } mm is outside the table: { $why }

@@ -20,9 +20,12 @@ impl<'a, 'k> BackwardStep<'a, 'k> {
     pub(super) fn rough_bore(self) -> Tried<Vec<RouteStep>> {
         let Self { leaves: after, previous, bore, sizes, shop, .. } = self;
         let allowance = allowance(Operation::RoughBore, after, bore.diameter.nominal, previous, shop)?;
-        let [steel, all] = self.rough_bars()?;
-        // Bars with a carbide shank are for what those of steel do not reach.
-        let chain = |from| self.chain(from, &steel, &allowance).or_else(|_| self.chain(from, &all, &allowance));
+        let [steel, plain, all] = self.rough_bars()?;
+        // Bars with a carbide shank are for what those of steel do not reach, damped ones for what those do not.
+        let chain = |from| {
+            let of = |bars: &[&CutterRow<'_>]| self.chain(from, bars, &allowance);
+            of(&steel).or_else(|_| of(&plain)).or_else(|_| of(&all))
+        };
         let largest = after - allowance.low;
         let drills = || sizes.drills.iter().rev().copied().filter(|drill| *drill <= largest);
         match previous {
@@ -52,17 +55,23 @@ impl<'a, 'k> BackwardStep<'a, 'k> {
         }
     }
 
-    /// The bars for roughing that reach the end of the cylinder, those of steel and all; all of them where none does, so that the
-    /// one that comes nearest tells by how much.
-    fn rough_bars(self) -> Tried<[Vec<&'a CutterRow<'k>>; 2]> {
+    /// The bars for roughing that reach the end of the cylinder and are not longer than the machine bears: those of steel, those
+    /// without a damper and all; all of them where none does, so that the one that comes nearest tells by how much.
+    fn rough_bars(self) -> Tried<[Vec<&'a CutterRow<'k>>; 3]> {
         let mut bars = self.shop.shelf.cutters_for(Operation::RoughBore)?;
         bars.retain(|bar| bar.stage == Some(BoringStage::Rough));
         let needed = self.bore.place.depth + self.sizes.overruns[usize::from(self.bore.place.through)];
-        let reaches = |bar: &&CutterRow<'_>| bar.reach.is_some_and(|reach| reach >= needed);
+        let longest = self.shop.machine.overhang_max;
+        let borne = |bar: &CutterRow<'_>| bar.length.is_none_or(|length| length <= longest);
+        let reaches = |bar: &&CutterRow<'_>| borne(bar) && bar.reach.is_some_and(|reach| reach >= needed);
         let able: Vec<&'a CutterRow<'k>> = bars.iter().copied().filter(reaches).collect();
         let all = if able.is_empty() { bars } else { able };
-        let steel = all.iter().copied().filter(|bar| bar.carbide_bar != Some(true)).collect();
-        Ok([steel, all])
+        let without = |of: fn(&CutterRow<'k>) -> Option<bool>| {
+            all.iter().copied().filter(move |bar| of(bar) != Some(true)).collect::<Vec<_>>()
+        };
+        let steel = without(|bar| bar.carbide_bar);
+        let plain = without(|bar| bar.damped_bar);
+        Ok([steel, plain, all])
     }
 
     /// The steps of rough boring from a hole of that diameter, one for each bar: where the bar for the final size does not
