@@ -58,7 +58,8 @@ pub struct TurningConditions {
     pub limited_by: String,
     /// The limits that these conditions exceed: the depth must be reduced.
     pub exceeded: Vec<Bound>,
-    /// In finishing, by which share of its tolerance the part gives way; none where it is stiff enough.
+    /// In finishing, by which share of its tolerance the part gives way, where a second pass mends that; none where it is stiff
+    /// enough, and where it is not at all.
     #[serde(skip)]
     pub gives_way: Option<f64>,
     /// The limits that could not be calculated.
@@ -140,7 +141,9 @@ pub fn conditions(
     let gives_way = match (bent, cut.part.as_ref().and_then(|part| part.tolerance)) {
         (Some(check), Some(_)) => {
             let (share, _) = bounds::ratio(cut.knowledge, Limit::PartDeflectionShare)?;
-            check.load(cut, &forces, depth, speed).and_then(|load| load.over(check.capacity)).map(|over| over * share)
+            let (most, _) = bounds::ratio(cut.knowledge, Limit::PartDeflectionMost)?;
+            let load = check.load(cut, &forces, depth, speed);
+            load.and_then(|load| load.over(check.capacity)).map(|over| over * share).filter(|share| *share <= most)
         }
         _ => None,
     };

@@ -292,8 +292,7 @@ pub fn found(
             let of_tool = |code| Note::new(code).with("tool", task.tool.designation).with("depth", depth);
             match (&exceeded[..], conditions.gives_way) {
                 ([], _) => {}
-                // Between no deflection and this one the diameter differs by twice as much, which the tolerance has.
-                ([Bound::PartStiffness], Some(share)) if share <= 0.5 => {
+                ([Bound::PartStiffness], Some(share)) => {
                     let note = of_tool("part-gives-way").with("percent", round_to(100.0 * share, 0));
                     findings.push(Finding::of_part(Severity::Doubtful, note));
                 }
