@@ -64,6 +64,10 @@ vocabulary! {
         Slow = "slow",
         /// The feed per revolution.
         Feed = "feed",
+        /// The feed of an insert, against the radius of its nose.
+        NoseFeed = "nose-feed",
+        /// The feed of a drill, against tables.
+        DrillFeed = "drill-feed",
         /// The depth of cut.
         Depth = "depth",
         /// The depth of a pass of a thread.
@@ -245,6 +249,7 @@ rows! {
     /// How near the part a turret may turn.
     pub struct AuditTurretClear of One("audit-turret-clear") asked by AuditTurretClearFor {
         distance: Micrometres,
+        reaches_in: bool,
     } {
         severity: Severity,
     }

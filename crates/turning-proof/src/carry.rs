@@ -1,11 +1,10 @@
 //! Removes stock motion by motion.
 
-use std::collections::BTreeMap;
-
+use crate::Cuts;
 use crate::fault::{Fault, Faults};
 use crate::note::Figure;
 use crate::plane::{AlongAxis, Convex, Region, Rule, Vector, Window};
-use crate::set_up::{Motion, MotionKind, Piece, SetUp};
+use crate::set_up::{IndexedNear, Motion, MotionKind, Piece, SetUp};
 use crate::stock::Stock;
 use crate::target::Target;
 use crate::threads::Pass;
@@ -48,10 +47,10 @@ pub struct Carried<'s> {
     turned: Option<f64>,
     /// Z to which a tap has cut each thread in full.
     pub(crate) tapped: Vec<Option<f64>>,
-    /// The deepest cut of each tool's edge, and its block.
-    pub depths: BTreeMap<usize, (Mm, Block)>,
+    /// What its tools cut.
+    pub chips: Cuts,
     /// How far from the stock the turret turns.
-    pub indexed: Vec<(Block, Mm)>,
+    pub indexed: Vec<IndexedNear>,
     pub faults: Faults,
 }
 
@@ -75,7 +74,7 @@ impl<'s> Carried<'s> {
             tapped: vec![None; target.threads.len()],
             target,
             finished: set_up.finished.as_ref().map(Target::of),
-            depths: BTreeMap::new(),
+            chips: Cuts::default(),
             indexed: Vec::new(),
             faults: Faults::default(),
         };
@@ -288,17 +287,19 @@ impl<'s> Carried<'s> {
             let nearest = |spot: Vector| self.stock.0.edges().map(move |(from, to)| spot.distance(from, to));
             let distance = spots.flat_map(nearest).fold(f64::INFINITY, f64::min);
             if distance.is_finite() {
-                self.indexed.push((one.block, Mm(distance)));
+                self.indexed.push(IndexedNear { block: one.block, tool: one.tool, distance: Mm(distance) });
             }
         }
     }
 
-    /// The depth of a straight cut of an insert: its area over the length along which it cuts, so that the last turn before a wall
-    /// counts no more than it lasts.
+    /// The depth of a straight cut: its area over the length along which it cuts, so that the last turn before a wall counts no more
+    /// than it lasts. What is thinner than the crests between two turns of a feed is air.
     fn remember_depth(&mut self, motion: &Motion, cuts: &[Convex]) {
+        const CRESTS: f64 = 0.05;
         let edged = matches!(self.tool(motion).cutter, Cutter::Insert { .. });
         let (from, to) = (motion.path.from().spot(), motion.path.to().spot());
-        if !edged || !matches!(motion.path, Piece::Line { .. }) {
+        if !matches!(motion.path, Piece::Line { .. }) {
+            self.chips.blocks.insert(motion.block);
             return;
         }
         let cut = self.stock.0.within(around(cuts, self.stock.0.window())).made(&Region::pieces(cuts), Rule::Both);
@@ -310,8 +311,12 @@ impl<'s> Carried<'s> {
         let (least, most) =
             ends.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), at| (least.min(at), most.max(at)));
         let depth = cut.area() / (most - least.max(0.0));
-        if depth.is_finite() && self.depths.get(&motion.tool).is_none_or(|known| known.0.0 < depth) {
-            self.depths.insert(motion.tool, (Mm(depth), motion.block));
+        if depth > CRESTS {
+            self.chips.blocks.insert(motion.block);
+        }
+        let deepest = |known: Option<&(Mm, Block)>| known.is_none_or(|known| known.0.0 < depth);
+        if edged && depth.is_finite() && deepest(self.chips.depths.get(&motion.tool)) {
+            self.chips.depths.insert(motion.tool, (Mm(depth), motion.block));
         }
     }
 

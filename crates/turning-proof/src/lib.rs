@@ -43,10 +43,12 @@ mod units;
 // The room below, under the name that the whole program uses.
 use technolog_note as note;
 
+use std::collections::{BTreeMap, BTreeSet};
+
 pub use fault::Fault;
 pub use refused::Refused;
 pub use set_up::{
-    Body, Indexed, Limits, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Size, TapLimits, Thread,
+    Body, Indexed, IndexedNear, Limits, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Size, TapLimits, Thread,
 };
 pub use stock::Stock;
 pub use tool::{Cutter, Hand, Holder, Side, Tool};
@@ -66,6 +68,15 @@ pub struct Volumes {
     pub to_remove: CubicMm,
 }
 
+/// What the tools of a program cut.
+#[derive(Clone, Debug, Default)]
+pub struct Cuts {
+    /// The deepest straight cut of each insert, by the index of its tool, and its block.
+    pub depths: BTreeMap<usize, (Mm, Block)>,
+    /// The blocks in which metal is taken off: a feed in air loads no tool.
+    pub blocks: BTreeSet<Block>,
+}
+
 /// The result of a program for the stock.
 #[derive(Clone, Debug)]
 pub struct Proof {
@@ -75,10 +86,10 @@ pub struct Proof {
     pub left: Stock,
     /// The volumes.
     pub volumes: Volumes,
-    /// The deepest straight cut of each insert, by the index of its tool, and its block.
-    pub depths: std::collections::BTreeMap<usize, (Mm, Block)>,
-    /// How far from the stock each tool stands as the turret turns, with the block.
-    pub indexed: Vec<(Block, Mm)>,
+    /// Its cuts.
+    pub cuts: Cuts,
+    /// How far from the stock each tool stands as the turret turns.
+    pub indexed: Vec<IndexedNear>,
 }
 
 /// Simulates the stock of a set-up through its motions.
@@ -104,7 +115,7 @@ pub fn prove(set_up: &SetUp) -> Result<Proof, Refused> {
         faults: carried.faults.all(),
         left: carried.stock,
         volumes,
-        depths: carried.depths,
+        cuts: carried.chips,
         indexed: carried.indexed,
     })
 }

@@ -250,6 +250,17 @@ pub struct Indexed {
     pub block: Block,
 }
 
+/// How near the stock a turret turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IndexedNear {
+    /// The block.
+    pub block: Block,
+    /// The index of the tool that worked until then.
+    pub tool: usize,
+    /// Its distance from the stock, mm.
+    pub distance: Mm,
+}
+
 /// The complete input of a proof.
 #[derive(Clone, Debug, Default)]
 pub struct SetUp {

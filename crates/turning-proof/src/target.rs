@@ -203,7 +203,7 @@ impl Target {
 
         let threads = threads(profile);
         // Where a chamfer is drawn up to the nominal diameter its crest ends on that of the thread.
-        let crests: Vec<Convex> = threads.iter().filter_map(Threaded::crests).collect();
+        let crests: Vec<Convex> = threads.iter().flat_map(Threaded::crests).collect();
         let keep = part.made(&Region::pieces(&crests), Rule::Without);
         let passes = threads.iter().flat_map(|thread| thread.passes().chain(thread.run_out()));
         let passes: Vec<Convex> = passes.collect();
@@ -315,17 +315,24 @@ impl Threaded {
 
     /// The metal behind it that its passes may remove where it has no relief.
     fn run_out(&self) -> Option<Convex> {
-        let far =
-            if self.end > self.z[0] { self.end + self.thread.run_out.0 } else { self.end - self.thread.run_out.0 };
-        let (crest, root) = (self.drawn, self.thread.root.0);
-        Convex::hull(Convex::rectangle(Vector::new(self.end.min(far), crest), Vector::new(self.end.max(far), root)))
+        self.behind(self.thread.root.0)
     }
 
-    /// The metal between its drawn diameter and its crests, if it is turned lower than drawn.
-    fn crests(&self) -> Option<Convex> {
+    /// The metal behind it as far as it may run out, from its drawn diameter to a radius.
+    fn behind(&self, radius: f64) -> Option<Convex> {
+        let far =
+            if self.end > self.z[0] { self.end + self.thread.run_out.0 } else { self.end - self.thread.run_out.0 };
+        let [near, far] = [self.end.min(far), self.end.max(far)];
+        Convex::hull(Convex::rectangle(Vector::new(near, self.drawn), Vector::new(far, radius)))
+    }
+
+    /// The metal between its drawn diameter and its crests, if it is turned lower than drawn: as far as its passes may run out, it may
+    /// be turned so, too.
+    fn crests(&self) -> impl Iterator<Item = Convex> + use<> {
         let outwards = self.thread.crest.0 - self.thread.root.0;
         let sunk = (self.drawn - self.thread.crest.0) * outwards > 0.0;
-        sunk.then(|| self.between(self.drawn, self.thread.crest.0)).flatten()
+        let lower = sunk.then(|| [self.between(self.drawn, self.thread.crest.0), self.behind(self.thread.crest.0)]);
+        lower.into_iter().flatten().flatten()
     }
 
     fn between(&self, from: f64, to: f64) -> Option<Convex> {

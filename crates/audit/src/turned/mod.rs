@@ -5,6 +5,7 @@
 //! toolpaths. Before its first motion, and after a motion to a reference point, the tool is far away. A tool that the
 //! text does not name is the program's tool at that place of the turret; then no finding is worse than doubtful.
 
+mod borne;
 mod calls;
 mod compensated;
 mod ends;
@@ -12,6 +13,7 @@ mod homes;
 mod lathe;
 mod pace;
 mod passes;
+mod turret;
 
 use technolog_turning_proof::{At, Block, Degrees, Indexed, Mm, Motion, MotionKind, Piece, Sense};
 
@@ -29,7 +31,6 @@ use crate::program::lathe::{
     Subprogram, is_serious, read,
 };
 use crate::program::{Fault, TextSpan};
-use crate::tables::audit::AuditTurretClearFor;
 use crate::tables::controls::lathe::{LatheControl, LatheControls};
 use crate::turning::jobs::Body;
 use crate::turning::operation::beside::beside;
@@ -37,7 +38,6 @@ use crate::turning::operation::proof::{Proven, prove_set_up, rejected, told_of_p
 use crate::turning::operation::{Operation, SetUpWork};
 use crate::turning::program::ProgramFile;
 use crate::turning::tooling::{Lathe, ToolKind};
-use crate::units::{Micrometres, round_to};
 
 /// The assumed position of a tool that is not known, mm from the axis and from the face.
 const FAR: f64 = 1000.0;
@@ -91,38 +91,16 @@ pub fn compare_with_part(
     });
     let found: Vec<Fault> = found.collect();
     faults.extend(exchanges(operation, work, text, run, &tools));
-    faults.extend(pace::paced(operation, work, run, &tools, &proof.depths, knowledge)?);
+    faults.extend(pace::paced(operation, work, run, &tools, &proof.cuts, knowledge)?);
     faults.extend(passes::passes(operation, work, run, &tools, knowledge)?);
     faults.extend(ends::parted(operation, work, run, proof, knowledge)?);
     faults.extend(ends::drilled(operation, work, run, &tools, knowledge)?);
     faults.extend(homes::homes(operation, work, &run.motions, &motions, &proven));
-    faults.extend(turned_near(operation, &proof.indexed, knowledge)?);
+    faults.extend(turret::turned_near(operation, work, &tools, &proof.indexed, knowledge)?);
     faults.extend(of_plan(operation, set_up, found.iter().any(is_serious), end));
     faults.extend(found);
     let note = Note::new(HELD).with("number", set_up).with("of", operation.set_ups.len());
     faults.push(fault(HELD, Severity::Note, note, end));
-    Ok(faults)
-}
-
-/// Changes of tools beside the stock: as the turret turns, what stands in its other places sweeps through there. Of a lathe whose
-/// turret is not known it is doubtful at most.
-fn turned_near(
-    operation: &Operation,
-    indexed: &[(Block, Mm)],
-    knowledge: &Knowledge,
-) -> Result<Vec<Fault>, KnowledgeError> {
-    let least = if operation.turret_places.is_some() { Severity::Error } else { Severity::Doubtful };
-    let mut faults = Vec::new();
-    for (block, distance) in indexed {
-        let judged = knowledge.ask(&AuditTurretClearFor { distance: Micrometres::from_mm_rounded(distance.0) })?;
-        let severity = judged.need("distance")?.severity;
-        if severity == Severity::Note {
-            continue;
-        }
-        let note = Note::new("turned-index-near").with("distance", round_to(distance.0, 1));
-        let line = u32::try_from(block.0).unwrap_or(u32::MAX);
-        faults.push(fault("turned-index-near", severity.max(least), note, line));
-    }
     Ok(faults)
 }
 
@@ -163,8 +141,8 @@ pub fn read_back(
         Ok(compared) => {
             let (work, tools) = (compared.work, &compared.tools);
             let mut faults = exchanges(operation, work, &main.text, &run, tools);
-            let depths = compared.proven.proof.as_ref().map(|proof| proof.depths.clone()).unwrap_or_default();
-            faults.extend(pace::paced(operation, work, &run, tools, &depths, knowledge)?);
+            let cuts = compared.proven.proof.as_ref().map(|proof| proof.cuts.clone()).unwrap_or_default();
+            faults.extend(pace::paced(operation, work, &run, tools, &cuts, knowledge)?);
             if let Some(id) = &operation.workpiece.machine {
                 faults.extend(against_lathe(&run, &Lathe::find(knowledge, id)?)?);
             }

@@ -1,6 +1,5 @@
 //! Whether the tools of a lathe program cut as they are meant to: which way the spindle turns, how fast, at what feed, with what power.
 
-use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use crate::error::{KnowledgeError, Refusal};
@@ -24,8 +23,9 @@ use crate::units::{Micrometres, round_to};
 use technolog_core::material::Material;
 use technolog_core::practice_speed::PracticeSpeed;
 use technolog_cutting::figures::{self, Asking};
-use technolog_turning_proof::{Block, Mm};
+use technolog_turning_proof::{Block, Cuts};
 
+use super::borne::{Borne, borne};
 use super::calls::CalledTool;
 use super::fault;
 use super::lathe::{per_turn, turns};
@@ -40,7 +40,7 @@ pub(super) fn paced(
     work: &SetUpWork,
     run: &LatheRun,
     tools: &[CalledTool],
-    depths: &BTreeMap<usize, (Mm, Block)>,
+    chips: &Cuts,
     knowledge: &Knowledge,
 ) -> Result<Vec<Fault>, KnowledgeError> {
     let part = &operation.workpiece;
@@ -124,16 +124,32 @@ pub(super) fn paced(
         };
         // The feed of a tap is its pitch, which the proof holds.
         let planned = planned.filter(|_| !is_tap);
-        if let (Some(planned), Some((used, line))) = (planned, worst(&feed))
-            && let Some(severity) = judged(PaceFigure::Feed, used / planned)?
-        {
-            let note = Note::new("turned-feed").with("feed", round_to(used, 3)).with("planned", round_to(planned, 3));
-            tell("turned-feed", severity, line, note);
+        let in_metal = |motion: &LatheMotion| {
+            usize::try_from(motion.line).is_ok_and(|line| chips.blocks.contains(&Block(line))).then(|| feed(motion))?
+        };
+        if let (Some(planned), Some((used, line))) = (planned, worst(&in_metal)) {
+            let smaller = |other: &CalledTool| {
+                let other = work.jobs.get(other.job).filter(|other| matches!(other.tool.body, Body::Drill { .. }));
+                other.is_some_and(|other| other.tool.diameter() < job.tool.diameter())
+            };
+            let by_tool = borne(job, tools.iter().any(smaller), used, &material, knowledge)?;
+            let by_plan = Borne::of(PaceFigure::Feed, "turned-feed", used, planned);
+            let by_plan = by_plan.with("planned", round_to(planned, 3));
+            let mut worst: Option<(Severity, Borne)> = None;
+            for borne in by_tool.into_iter().chain([by_plan]) {
+                let severity = judged(borne.figure, borne.share)?;
+                if let Some(severity) = severity.filter(|one| worst.as_ref().is_none_or(|(known, _)| one < known)) {
+                    worst = Some((severity, borne));
+                }
+            }
+            if let Some((severity, borne)) = worst {
+                tell(borne.code, severity, line, borne.note);
+            }
         }
         // The tool of the plan, by name: one that a remark does not name may be another.
         let edge = TurningTool::find(knowledge, &job.tool.designation)?;
         let edge = edge.map(|tool| deepest_edge(&tool, knowledge)).transpose()?.flatten();
-        if let (Some(most), Some((depth, block))) = (edge, depths.get(&tool.job))
+        if let (Some(most), Some((depth, block))) = (edge, chips.depths.get(&tool.job))
             && let Some(severity) = judged(PaceFigure::Depth, depth.0 / most.to_mm())?
         {
             let note =

@@ -154,6 +154,26 @@ fn a_thread_goes_down_to_its_root_and_leaves_its_crests() {
     assert_eq!(wrong(&thread(8.775)).len(), 0, "{:?}", wrong(&thread(8.775)));
 }
 
+/// A thread may run out 6 mm into the cylinder behind it; its crests, 0.1 mm lower than that, are turned 1 mm past its end.
+#[test]
+fn the_crests_of_a_thread_may_be_turned_into_its_run_out() {
+    let cut_to = |end: f64, run_out: f64| {
+        let mut part = chain(&[(0.0, 0.0), (0.0, 10.0), (-20.0, 10.0), (-40.0, 10.0)]);
+        let (crest, shallow, root) = (Mm(9.9), Mm(8.825), Mm(8.775));
+        part[1].thread = Some(Thread { crest, shallow, root, pitch: Mm(2.5), run_out: Mm(run_out), tap: None });
+        let moves = [(Feed, end, 9.9), (Rapid, end, 13.0), (Rapid, 4.0, 13.0)];
+        let tool = shaft_work(&SHAFT).tools.remove(0);
+        let motions = program(0, (1.0, 9.9), &moves);
+        let mut work = bar_work(part, 1.0, (0.0, 1.0), tool, motions);
+        let blank = [(0.0, 0.0), (0.0, 10.0), (-60.0, 10.0)];
+        work.stock = Stock::between(&Piece::lines(&blank.map(|(z, r)| at(z, r))), &[]);
+        wrong(&work).into_iter().any(|fault| matches!(fault, Fault::Gouge { .. }))
+    };
+    assert!(!cut_to(-21.0, 6.0));
+    assert!(cut_to(-28.0, 6.0));
+    assert!(cut_to(-21.0, 0.0));
+}
+
 /// Four passes at 2.5 mm per turn make its thread; one at 2.4 spoils it.
 #[test]
 fn a_pass_of_a_thread_is_fed_by_its_pitch() {

@@ -43,7 +43,14 @@ impl Resized {
 
 /// Pieces, each with a mark, with their cylinders as made; what is beside them meets them there. Metal that a cylinder of the
 /// drawing has beyond them is made like its neighbour.
-pub fn resized<T: Copy>(pieces: Vec<(Piece, T)>, side: Side, all: &[Resized], slopes: Slopes) -> Vec<(Piece, T)> {
+///
+/// Pieces that end where a cylinder of another set-up begins end on that as it is made.
+pub fn resized<T: Copy>(mut pieces: Vec<(Piece, T)>, side: Side, all: &[Resized], slopes: Slopes) -> Vec<(Piece, T)> {
+    let follows = pieces.last().filter(|(last, _)| !last.is_cylinder()).and_then(|&(last, mark)| {
+        let begins = |one: &&Resized| one.made != one.drawn && last.to == Point { radius: one.drawn, z: one.from };
+        all.iter().find(begins).map(|one| (Piece::line(last.to, Point { z: one.to, ..last.to }), mark))
+    });
+    pieces.extend(follows);
     let mut made: Vec<(Piece, T)> = Vec::with_capacity(pieces.len());
     let mut moved = Vec::new();
     for (piece, mark) in pieces {
@@ -61,6 +68,9 @@ pub fn resized<T: Copy>(pieces: Vec<(Piece, T)>, side: Side, all: &[Resized], sl
     for (first, end) in moved.into_iter().rev() {
         meet_behind(&mut made, side, end, slopes);
         meet_before(&mut made, side, first, slopes);
+    }
+    if follows.is_some() {
+        made.pop();
     }
     made.retain(|(piece, _)| !piece.is_nothing());
     made

@@ -99,6 +99,14 @@ impl Load {
         }
     }
 
+    /// How many times a force is a capacity; none of other loads.
+    pub fn over(self, capacity: Self) -> Option<f64> {
+        match (self, capacity) {
+            (Self::ForceN(load), Self::ForceN(capacity)) => Some(load.0 / capacity.0),
+            _ => None,
+        }
+    }
+
     /// As it is printed: forces to 1 N, torques to 0.1 N·m, powers to 0.01 kW.
     #[must_use]
     pub fn rounded(self) -> Self {

@@ -58,6 +58,10 @@ pub struct TurningConditions {
     pub limited_by: String,
     /// The limits that these conditions exceed: the depth must be reduced.
     pub exceeded: Vec<Bound>,
+    /// In finishing, by which share of its tolerance the part gives way, where a second pass mends that; none where it is stiff
+    /// enough, and where it is not at all.
+    #[serde(skip)]
+    pub gives_way: Option<f64>,
     /// The limits that could not be calculated.
     pub missing: Vec<UnknownBound>,
     /// The rows behind the figures.
@@ -133,6 +137,16 @@ pub fn conditions(
         // The speed is already reduced to the power; an excess from rounding does not count.
         check.load(cut, &forces, depth, speed).is_some_and(|load| !load.rounded().within(check.capacity.rounded()))
     };
+    let bent = checks.iter().find(|check| check.bound == Bound::PartStiffness && exceeded(check));
+    let gives_way = match (bent, cut.part.as_ref().and_then(|part| part.tolerance)) {
+        (Some(check), Some(_)) => {
+            let (share, _) = bounds::ratio(cut.knowledge, Limit::PartDeflectionShare)?;
+            let (most, _) = bounds::ratio(cut.knowledge, Limit::PartDeflectionMost)?;
+            let load = check.load(cut, &forces, depth, speed);
+            load.and_then(|load| load.over(check.capacity)).map(|over| over * share).filter(|share| *share <= most)
+        }
+        _ => None,
+    };
     let main = forces.at(Component::Main, depth, speed);
     let force = |component| forces.at(component, depth, speed).map(|force| force.rounded(0));
     Ok(TurningConditions {
@@ -152,6 +166,7 @@ pub fn conditions(
         power_kw: main.map(|main| bounds::power(main, speed).rounded(2)),
         limited_by: limited_by.to_owned(),
         exceeded: checks.iter().filter(exceeded).map(|check| check.bound).collect(),
+        gives_way,
         missing,
         because,
     })

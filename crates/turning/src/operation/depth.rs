@@ -15,7 +15,7 @@ use crate::turning::schemes::rates;
 use crate::turning::shaft;
 use crate::turning::tooling::TurningTool;
 use crate::turning::transitions::Feeds;
-use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Roughness};
+use crate::units::{Micrometres, MillimetresPerMinute, MillimetresPerRev, RevsPerMinute, Roughness, round_to};
 
 use super::tools::Bench;
 
@@ -289,9 +289,17 @@ pub fn found(
             conditions.because.push(skin);
             findings.extend(conditions.findings());
             let exceeded = exceeded(&conditions);
-            if !exceeded.is_empty() {
-                let note = Note::new("bounds-exceeded").with("tool", task.tool.designation).with("depth", depth);
-                findings.push(Finding::of_part(Severity::Wrong, note.with("bounds", Bound::list(&exceeded))));
+            let of_tool = |code| Note::new(code).with("tool", task.tool.designation).with("depth", depth);
+            match (&exceeded[..], conditions.gives_way) {
+                ([], _) => {}
+                ([Bound::PartStiffness], Some(share)) => {
+                    let note = of_tool("part-gives-way").with("percent", round_to(100.0 * share, 0));
+                    findings.push(Finding::of_part(Severity::Doubtful, note));
+                }
+                _ => {
+                    let note = of_tool("bounds-exceeded").with("bounds", Bound::list(&exceeded));
+                    findings.push(Finding::of_part(Severity::Wrong, note));
+                }
             }
             Ok(Some(conditions))
         }

@@ -29,6 +29,7 @@ scheme-not-possible = zone { $zone }: the scheme { $scheme } is not possible, fo
 face-stock-thin = the blank's stock on the face is { $lack } mm less than the finishing allowance: take a longer blank
 zone-behind-standing = zone { $zone }: the tool cannot reach it, because zone { $before } in front of it is not cleared
 groove-too-deep = it is { $depth } mm deep, more than the { $reach } mm of the tool
+part-gives-way = { $tool }: at t_p = { $depth } mm and the least feed the part gives way by { $percent } % of its tolerance: go over it once more at the same setting, and measure both ends of the cylinder
 bounds-exceeded = { $tool }: at t_p = { $depth } mm these limits are exceeded: { $bounds }
     .help = leave less for finishing (`allowance:` of the surface), support the part (tailstock, steady rest, a second set-up), or let it stand out less
 passes-shallower = zone { $zone }: { $tool } takes { $depth } mm a pass, not { $limit } mm: at that these limits would be exceeded: { $bounds }

@@ -192,6 +192,7 @@ characteristic-depth-step = step of the depth of cut
 characteristic-depth-max = greatest depth of cut
 characteristic-bar-clearance = run of a boring bar past the cut
 characteristic-part-deflection = deflection of the part, rough
+characteristic-part-deflection-most = deflection of the part that a second pass still mends, share of the tolerance
 characteristic-part-deflection-share = deflection of the part, share of the tolerance
 characteristic-part-stress-share = stress of the part, share of its strength
 characteristic-least-sensible-depth = least depth of roughing

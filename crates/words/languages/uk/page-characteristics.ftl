@@ -192,6 +192,7 @@ characteristic-depth-step = крок глибини різання
 characteristic-depth-max = найбільша глибина різання
 characteristic-bar-clearance = вихід розточувального різця за поверхню
 characteristic-part-deflection = прогин деталі, чорновий
+characteristic-part-deflection-most = прогин деталі, який ще виправляє повторний хід, частка допуску
 characteristic-part-deflection-share = прогин деталі, частка допуску
 characteristic-part-stress-share = напруження деталі, частка міцності
 characteristic-least-sensible-depth = найменша глибина чорнового ходу

@@ -22,11 +22,12 @@ use crate::turning::contour::{Side, SurfaceName};
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::point::Point;
+use crate::turning::program::Feeds;
 use crate::turning::schemes::rates;
 use crate::turning::tooling::Lathe;
 use crate::turning::toolpath::{Purpose, Toolpath};
-use crate::units::{Degrees, Micrometres};
-use technolog_cutting::Cut;
+use crate::units::{Degrees, Micrometres, MillimetresPerRev};
+use technolog_cutting::{Cut, handbook};
 
 use super::limits::Limits;
 use super::refused::NoJob;
@@ -188,9 +189,17 @@ pub fn flatten(
     let hole = Hole { diameter, from: Micrometres::ZERO, face, end, surfaces, exact: true, tapped: false };
     let drill = chosen(&hole, bench, |drill| (drill.diameter == diameter).then_some(bottom))?;
     let drill = Drill { point_angle: FLAT, ..drill };
-    // The cone is as wide at its mouth as the drill: it is fed as in solid metal.
+    // The cone is as wide at its mouth as the drill: it is fed as in solid metal, but no faster than the drill before, and than a
+    // counterbore, whose straight edges cut over their whole width at once, too.
     let cut = cut(Operation::Drill, diameter, Micrometres::ZERO, (bottom - face).rounded_up(), drill.material);
-    let conditions = pace::pace(&cut, lathe, bench)?;
+    let mut conditions = pace::pace(&cut, lathe, bench)?;
+    let counterbore = Cut { operation: Operation::Counterbore, ..cut };
+    let flat = Refusal::split(handbook::feed(&counterbore, bench))?.ok();
+    let drilled = drilled.pace.feeds().map(|feeds| feeds.cut);
+    let most = drilled.into_iter().chain(flat.as_ref().map(|(feed, _)| *feed)).map(|feed| feed.0);
+    let least = most.fold(conditions.feed.cut.0, f64::min);
+    conditions.feed = Feeds::all(MillimetresPerRev(least));
+    conditions.because.extend(flat.into_iter().flat_map(|(_, because)| because));
     let from = before(face, bench)?;
     // The hole is there down to the cone, and further above a narrower hole.
     let cone = before(bottom - cone_length(Half::radius_of(diameter), TWIST_POINT), bench)?;
