@@ -245,9 +245,8 @@ impl Context {
     /// # Errors
     /// It cannot be written.
     pub fn emit_workbook(&self, tables: &[sheets::Sheet]) -> Result<(), CliError> {
-        self.spare_inputs()?;
         let book = sheets::xlsx(tables).map_err(|error| output::unprintable(self.lang, error))?;
-        output::write(&book, self.output.as_deref(), self.lang)
+        self.emit_files(&[(self.output.as_deref(), &book)])
     }
 
     /// Writes tables as text for programs for tables, with the decimal sign of the language.

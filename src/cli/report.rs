@@ -137,6 +137,7 @@ fn of_part(
         steps: &made.steps,
         warning,
         left: &left,
+        control,
         knowledge,
     };
     let form = args.only.as_deref().and_then(Form::named);

@@ -59,6 +59,8 @@ pub struct Sources<'a> {
     pub warning: Option<&'a str>,
     /// What is left undone of the part when the program has run, in words.
     pub left: &'a [String],
+    /// The control, by its name on the command line.
+    pub control: &'a str,
     /// The tables.
     pub knowledge: &'a Knowledge,
 }

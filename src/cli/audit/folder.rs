@@ -125,7 +125,7 @@ fn write_sheets(
         let stem =
             Path::new(&audit.file).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let path = folder.join(format!("{:03}-{stem}{ending}", at + 1));
-        let page = context.written(&report::audit::student::page(audit, context.lang), format);
+        let page = context.written(&report::audit::student::page(audit, context.lang), format, Some(&path));
         output::write(page.as_bytes(), Some(&path), context.lang)?;
         paths.push(context.beside_answer(&path));
     }

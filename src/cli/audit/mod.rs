@@ -83,7 +83,7 @@ pub fn of_file(
     places: FileRoots<'_>,
     context: &Context,
 ) -> Result<Audit, CliError> {
-    let stated = file::read(plan, auditor, places, context)?;
+    let stated = file::read(plan, None, auditor, places, context)?;
     auditor.audit(&stated).map_err(|error| file::at_fault(&stated, &error, context))
 }
 

@@ -339,7 +339,7 @@ fn a_long_thin_drill_is_fed_less_instead_of_refused() {
         "30",
         "diameter: 3H12, roughness: Ra 12.5, through: true, centre_tolerance: 0.3",
     );
-    let drill = steps(&plan).into_iter().find(|step| step.operation == Operation::Drill).unwrap();
+    let drill = steps(&plan).iter().find(|step| step.operation == Operation::Drill).unwrap();
     assert_eq!(drill.conditions.limited_by.name(), "drill-buckling");
     let thrust = drill.conditions.axial_force_n.unwrap().0;
     assert!((thrust - 251.0).abs() < 0.5, "{thrust}");

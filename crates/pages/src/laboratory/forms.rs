@@ -45,7 +45,7 @@ impl Form {
         let mut page = match self {
             Self::RouteCard => cards::route_card(own, title, lang),
             Self::OperationCard => cards::operation_card(own, title, lang),
-            Self::SettingSheet => setting::page(own.setting, own.plan, own.job, lang),
+            Self::SettingSheet => setting::page(own.setting, own.plan, own.job, (own.control, own.knowledge), lang),
             Self::ToolList => {
                 let part = own.plan.part.part.as_str();
                 let mut page = Document::new(lang.tag(), say!(lang, "form-tool-list", part = part));
