@@ -370,9 +370,10 @@ impl Maker<'_> {
             match self.control.g.get(&function.code).map(|known| known.effect) {
                 Some(Effect::Mode) => self.state.set(group, Some(function.code)),
                 Some(Effect::Noted) => {
-                    // The tolerance of G64.
+                    // The tolerances of G64: of the path, and of ways that are taken together.
                     if function.code == 640 && self.control.is(Q::PathTolerance) {
                         self.take(words, 'P');
+                        self.take(words, 'Q');
                     }
                     self.push(Motion::Auxiliary { word: function.name() });
                 }

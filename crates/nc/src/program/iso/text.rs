@@ -410,7 +410,9 @@ impl SourceLine<'_> {
             return None;
         };
         let millionths = self.number(written, address, span)?;
-        if known == Written::Whole && millionths % 1_000_000 != 0 {
+        // rs274 takes `N10.5`.
+        let counted = address == 'N' && self.control.is(Q::OWords);
+        if known == Written::Whole && millionths % 1_000_000 != 0 && !counted {
             self.faults.push(fault("number-not-whole", span, None).with("address", address));
             return None;
         }
