@@ -50,8 +50,9 @@ pub const FORMATS: [Format; PRINTERS.len()] = {
 };
 
 #[cfg(feature = "pdf")]
-const PDF: Printer = Printer::here(Format::Pdf, |page, _, context| {
-    technolog_pdf::pdf(page, &context.page_words()).map_err(|why| super::output::unprintable(context.lang, why.0))
+const PDF: Printer = Printer::here(Format::Pdf, |page, file, context| {
+    not_for_the_screen(Format::Pdf, file, context)?;
+    technolog_pdf::pdf(page, &context.page_words()).map_err(|why| unprintable(context.lang, why.0))
 });
 
 #[cfg(not(feature = "pdf"))]

@@ -30,6 +30,7 @@ const NO_SENTENCES: &[&str] = &[
      .jpg .jpeg .gif .bmp .tif .tiff .webp .ico .dxf .dwg .step .stp .iges .igs .stl .cdw .frw .spw \
      .zip .gz .7z .rar .tar .toml .ini .js .py .sqlite .db .exe",
     "technolog check … --setting {file}",
+    "cargo build --release --features pdf",
     "technolog audit … --marks {file}",
     "technolog lint --knowledge …",
     "mapping values are not allowed",
@@ -42,17 +43,25 @@ const NO_SENTENCES: &[&str] = &[
     "a piece begins where the toolpath ends",
     // A form of the standard, by its own name.
     "ГОСТ 3.1404-86, форма 5а",
+    "ГОСТ 3.1404-86 форма 3",
+    "ГОСТ 3.1404-86 форма 2а",
+    "ГОСТ 3.1118-82 форма 1",
+    "ГОСТ 3.1118-82 форма 1б",
+    "МК",
+    "ОК",
     "ГОСТ",
     // A unit as users write it.
     "мм",
 ];
 
-/// Rooms whose texts are no words of the program: tests, the catalogue, words that are read and never printed, symbols of
+/// Rooms whose texts are no words of the program: tests, the catalogue, markup of Typst, words that are read and never
+/// printed, symbols of
 /// formulas, sources of audit rules.
-const OTHERS: [&str; 9] = [
+const OTHERS: [&str; 10] = [
     "crates/testing",
     "crates/laws",
     "crates/words",
+    "crates/pdf",
     "crates/office/src/emf/letters.rs",
     "crates/tables/src/quantity.rs",
     "crates/audit/src/rules",
