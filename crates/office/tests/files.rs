@@ -1,5 +1,7 @@
 //! What is written is read back by others: XML by a parser of XML, a workbook by a reader of workbooks.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "clippy allows it in tests, but not in the functions they share")]
+
 use std::io::{Cursor, Read};
 
 use calamine::{Data, Reader, Xlsx};
