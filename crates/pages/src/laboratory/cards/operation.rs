@@ -53,7 +53,7 @@ const P: [(u16, &str); 9] = [
 pub(in super::super) fn card(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Document {
     let mut head = names(lang, &P);
     head.cells.insert(0, super::name(5, "Р"));
-    let unit = |unit: &str| format!("{unit}");
+    let unit = str::to_owned;
     let mm = lang.word("unit-mm");
     let units = [
         unit(""),
