@@ -51,6 +51,9 @@ pub struct FormCell {
     pub words: Inlines,
 }
 
+/// A cell with the number of columns that it takes.
+pub type Spanning<'f> = (&'f FormCell, usize);
+
 impl FormCell {
     /// A cell of one row without a name of its own.
     pub fn new(kind: CellKind, width: u16, words: impl Into<Inlines>) -> Self {
@@ -70,13 +73,10 @@ impl FormCell {
     }
 }
 
-/// The cells of a row, each with the number of columns that it takes.
-pub type SpannedRow<'a> = Vec<(&'a FormCell, usize)>;
-
 impl Form {
     /// The widths of the columns that divide all rows alike, in steps, and for each row its cells with the number of
     /// those columns that each takes.
-    pub fn columns(&self) -> (Vec<u16>, Vec<SpannedRow<'_>>) {
+    pub fn columns(&self) -> (Vec<u16>, Vec<Vec<Spanning<'_>>>) {
         let placed = self.placed();
         let mut rules: Vec<u16> =
             placed.iter().flatten().flat_map(|(left, cell)| [*left, left + cell.width]).chain([0]).collect();

@@ -60,6 +60,7 @@ pub fn docx(document: &Document, words: &Words) -> Result<Vec<u8>, OfficeError> 
     package.add("word/numbering.xml", parts::numbering().as_bytes())?;
     package.add("word/settings.xml", parts::SETTINGS.as_bytes())?;
     package.add("word/header1.xml", parts::HEADER.as_bytes())?;
+    package.add("word/header2.xml", parts::NO_HEADER.as_bytes())?;
     for figure in &figures {
         package.add(&format!("word/media/{}.svg", figure.name()), figure.svg.as_bytes())?;
         package.add(&format!("word/media/{}.emf", figure.name()), &figure.emf())?;

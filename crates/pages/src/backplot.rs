@@ -86,9 +86,11 @@ const ALONE: f64 = 820.0;
 /// Points that would be nearer than this on a narrow panel are shown on a wide one.
 const CROWDED: f64 = 26.0;
 
-/// The width of a sheet of a report, on which letters keep their size, and the most that its panels are high together.
+/// The width of a sheet of a report, on which letters keep their size, the most that its panels are high together, and the
+/// most that one is where its points leave room for it: two stand on a sheet.
 const SHEET: f64 = 680.0;
 const SHEET_HEIGHT: f64 = 860.0;
+const PANEL: f64 = 350.0;
 /// Clamps.
 const CLAMP: &str = "#e3d3c3";
 
@@ -171,19 +173,22 @@ pub fn backplot(steps: &[MotionStep], frame: Option<&Frame<'_>>, lang: Lang) -> 
         (1, _) => (1, ALONE),
         _ => (2, WIDTHS[0]),
     };
-    sheet(&panels, 0, extent, (columns, width), frame, lang)
+    sheet(&panels, 0, extent, (columns, width, scale(extent, width)), frame, lang)
 }
 
 /// The same as sheets of a report, each with the numbers of the tools that it shows.
 pub(crate) fn sheets(steps: &[MotionStep], frame: &Frame<'_>, lang: Lang) -> Vec<(Vec<u32>, String)> {
     let panels = read::panels(steps, Some(frame));
     let Some(extent) = extent(&panels, Some(frame)) else { return Vec::new() };
-    let scale = scale(extent, SHEET);
+    let wide = scale(extent, SHEET);
+    let low = wide.min(PANEL / extent.up());
+    let crowded = panels.iter().any(|panel| labels::apart(&panel.plunges) * low < CROWDED);
+    let scale = if crowded { wide } else { low };
     // At least one, as tall as it is.
     let fit = (SHEET_HEIGHT / (TITLE + extent.up() * scale + MARGIN)).max(1.0) as usize;
     let drawn = panels.chunks(fit).enumerate().map(|(at, own)| {
         let tools = own.iter().filter_map(|panel| panel.tool).collect();
-        (tools, sheet(own, at * fit, extent, (1, SHEET), Some(frame), lang))
+        (tools, sheet(own, at * fit, extent, (1, SHEET, scale), Some(frame), lang))
     });
     drawn.collect()
 }
@@ -193,16 +198,15 @@ fn scale(extent: Extent, width: f64) -> f64 {
     ((width - 2.0 * MARGIN) / extent.across()).min(HEIGHT_MAX / extent.up())
 }
 
-/// Panels in columns, of which the first has a number among all.
+/// Panels in columns of a width and scale, of which the first has a number among all.
 fn sheet(
     panels: &[Panel<'_>],
     first: usize,
     extent: Extent,
-    (columns, width): (usize, f64),
+    (columns, width, scale): (usize, f64, f64),
     frame: Option<&Frame<'_>>,
     lang: Lang,
 ) -> String {
-    let scale = scale(extent, width);
     let height = TITLE + extent.up() * scale + MARGIN;
     let mut canvas = Canvas::default();
     for (number, panel) in panels.iter().enumerate() {

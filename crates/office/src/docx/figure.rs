@@ -76,6 +76,7 @@ pub fn relations(figures: &[Figure<'_>]) -> String {
         add(id, kind, &format!("{kind}.xml"));
     }
     add("rHeader", "header", "header1.xml");
+    add("rNoHeader", "header", "header2.xml");
     for figure in figures {
         for (id, ending) in [("rEmf", "emf"), ("rSvg", "svg")] {
             add(&format!("{id}{}", figure.number), "image", &format!("media/{}.{ending}", figure.name()));

@@ -55,7 +55,7 @@ pub fn write(body: &mut Body<'_>, form: &Form) {
     }
     xml.push_str("</w:tbl>");
     body.xml.push_str(&xml);
-    body.xml.push_str(&paragraph("Break", "", ""));
+    body.xml.push_str(&paragraph("Nothing", "", ""));
 }
 
 fn words(cell: &FormCell) -> String {

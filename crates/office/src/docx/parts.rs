@@ -23,6 +23,7 @@ pub const CONTENT_TYPES: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\" standa
 <Override PartName=\"/word/numbering.xml\" ContentType=\"application/vnd.openxmlformats-officedocument.wordprocessingml.numbering+xml\"/>\
 <Override PartName=\"/word/settings.xml\" ContentType=\"application/vnd.openxmlformats-officedocument.wordprocessingml.settings+xml\"/>\
 <Override PartName=\"/word/header1.xml\" ContentType=\"application/vnd.openxmlformats-officedocument.wordprocessingml.header+xml\"/>\
+<Override PartName=\"/word/header2.xml\" ContentType=\"application/vnd.openxmlformats-officedocument.wordprocessingml.header+xml\"/>\
 <Override PartName=\"/docProps/core.xml\" ContentType=\"application/vnd.openxmlformats-package.core-properties+xml\"/>\
 </Types>";
 
@@ -43,6 +44,10 @@ pub const HEADER: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"
 <w:hdr xmlns:w=\"http://schemas.openxmlformats.org/wordprocessingml/2006/main\"><w:p><w:pPr><w:pStyle w:val=\"Header\"/></w:pPr>\
 <w:r><w:fldChar w:fldCharType=\"begin\"/></w:r><w:r><w:instrText xml:space=\"preserve\"> PAGE </w:instrText></w:r>\
 <w:r><w:fldChar w:fldCharType=\"separate\"/></w:r><w:r><w:t>1</w:t></w:r><w:r><w:fldChar w:fldCharType=\"end\"/></w:r></w:p></w:hdr>";
+
+/// Nothing at the top.
+pub const NO_HEADER: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"yes\"?>\n\
+<w:hdr xmlns:w=\"http://schemas.openxmlformats.org/wordprocessingml/2006/main\"><w:p><w:pPr><w:pStyle w:val=\"Nothing\"/></w:pPr></w:p></w:hdr>";
 
 /// Title and language, both escaped.
 pub fn properties(title: &str, lang: &str) -> String {
@@ -82,11 +87,15 @@ pub fn section(paper: Paper) -> String {
         Paper::Upright => "<w:pgSz w:w=\"11906\" w:h=\"16838\"/>",
         Paper::Across | Paper::Form => "<w:pgSz w:w=\"16838\" w:h=\"11906\" w:orient=\"landscape\"/>",
     };
-    let [top, right, bottom, left] = if paper == Paper::Form { [567, 284, 284, 284] } else { [1134, 567, 1134, 1134] };
+    // A form has its frame where other pages have their numbers.
+    let (header, [top, right, bottom, left]) = match paper {
+        Paper::Form => ("rNoHeader", [340, 284, 227, 284]),
+        Paper::Upright | Paper::Across => ("rHeader", [1134, 567, 1134, 1134]),
+    };
     format!(
-        "<w:sectPr><w:headerReference w:type=\"default\" r:id=\"rHeader\"/>{size}\
-         <w:pgMar w:top=\"{top}\" w:right=\"{right}\" w:bottom=\"{bottom}\" w:left=\"{left}\" w:header=\"284\" \
-         w:footer=\"284\" w:gutter=\"0\"/></w:sectPr>"
+        "<w:sectPr><w:headerReference w:type=\"default\" r:id=\"{header}\"/>{size}\
+         <w:pgMar w:top=\"{top}\" w:right=\"{right}\" w:bottom=\"{bottom}\" w:left=\"{left}\" w:header=\"227\" \
+         w:footer=\"227\" w:gutter=\"0\"/></w:sectPr>"
     )
 }
 
@@ -94,7 +103,7 @@ pub fn section(paper: Paper) -> String {
 type Style = (&'static str, &'static str, &'static str, &'static str, &'static str);
 
 /// 14 points and 1.5 lines for running text (DSTU 3008), one line elsewhere.
-const STYLES: [Style; 14] = [
+const STYLES: [Style; 15] = [
     (
         "BodyText",
         "Body Text",
@@ -130,8 +139,9 @@ const STYLES: [Style; 14] = [
         "<w:rFonts w:ascii=\"Courier New\" w:hAnsi=\"Courier New\" w:cs=\"Courier New\"/><w:sz w:val=\"20\"/>",
     ),
     ("Break", "Break", "Normal", "", "<w:sz w:val=\"12\"/>"),
-    ("FormText", "Form Text", "Normal", "", "<w:sz w:val=\"18\"/>"),
-    ("FormMark", "Form Mark", "Normal", "<w:jc w:val=\"right\"/>", "<w:sz w:val=\"18\"/>"),
+    ("FormText", "Form Text", "Normal", "", "<w:sz w:val=\"16\"/>"),
+    ("FormMark", "Form Mark", "Normal", "<w:jc w:val=\"right\"/>", "<w:sz w:val=\"16\"/>"),
+    ("Nothing", "Nothing", "Normal", "<w:spacing w:line=\"20\" w:lineRule=\"exact\"/>", "<w:sz w:val=\"2\"/>"),
     ("Header", "header", "Normal", "<w:jc w:val=\"right\"/>", ""),
 ];
 

@@ -146,10 +146,16 @@ impl<'p> HoleSection<'p> {
         self.diameters(canvas, lang);
     }
 
-    /// Half of the diameter before, a little narrower than after where both are nearly equal.
+    /// Half of the diameter before, a little narrower than after where both are nearly equal, and so that an edge is broken
+    /// at 45°.
     fn half_before(&self) -> f64 {
         let t = self.transition;
         let (before, after) = (self.half(t.from_diameter_mm), self.half(t.diameter_mm));
+        if matches!(t.operation, Operation::Chamfer | Operation::Countersink) {
+            // Depth and width have different scales, with which 45° would stand nearly upright.
+            let deep = self.y(self.top - t.depth_mm.to_mm()) - self.y(self.top - t.start_mm.to_mm());
+            return before.min(after - deep.clamp(5.0, 0.6 * after));
+        }
         if t.from_diameter_mm < t.diameter_mm { before.min(after - 5.0) } else { before }
     }
 
@@ -160,12 +166,11 @@ impl<'p> HoleSection<'p> {
         let (start, depth) = (self.top - t.start_mm.to_mm(), self.top - t.depth_mm.to_mm());
         let half = self.half(t.diameter_mm);
         let (left, right) = (self.axis - half, self.axis + half);
-        let from = self.half(t.from_diameter_mm);
         if matches!(t.operation, Operation::CentreDrill) {
             return (vec![(left, self.y(start)), (self.axis, self.y(depth)), (right, self.y(start))], false);
         }
         if matches!(t.operation, Operation::Chamfer | Operation::Countersink) {
-            let y = self.y(depth);
+            let (y, from) = (self.y(depth), self.half_before());
             let sides = [(left, self.y(start)), (self.axis - from, y), (self.axis + from, y), (right, self.y(start))];
             return (sides.to_vec(), true);
         }
