@@ -98,8 +98,8 @@ pub fn names(formats: &[Format]) -> String {
 
 /// Extensions of formats that no command writes: such a file would contain text.
 const OTHERS: &[&str] = &[
-    ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsm", ".ods", ".tsv", ".ppt",
-    ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",
+    ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",
+    ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",
     ".step", ".stp", ".iges", ".igs", ".stl", ".cdw", ".frw", ".spw", ".zip", ".gz", ".7z", ".rar", ".tar", ".toml",
     ".ini", ".js", ".py", ".sqlite", ".db", ".exe",
 ];

@@ -148,7 +148,9 @@ impl Context {
     pub fn format(&self, command: &str, known: &[Format]) -> Result<Format, CliError> {
         let meant = self.output.as_deref().map(Format::of_ending).unwrap_or_default();
         let writes_programs = ["program", "turn --show=program", "turn --show=tool-table"].contains(&command);
-        if let Some(ending) = self.output.as_deref().and_then(|file| format::foreign_extension(file, writes_programs)) {
+        let foreign = self.output.as_deref().and_then(|file| format::foreign_extension(file, writes_programs));
+        let is_known = |ending: &String| known.iter().any(|format| format.endings().contains(&ending.as_str()));
+        if let Some(ending) = foreign.filter(|ending| !is_known(ending)) {
             let message = say!(self.lang, "cli-alien-ending", command = command, ending = ending.as_str());
             // A hand-written plan has the extension of any YAML.
             let known = known.iter().filter(|format| **format != Format::Hand || !known.contains(&Format::Yaml));
