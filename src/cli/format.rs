@@ -96,7 +96,7 @@ pub fn names(formats: &[Format]) -> String {
     formats.iter().map(|format| format.name()).collect::<Vec<_>>().join(", ")
 }
 
-/// Extensions of formats that no command writes: such a file would contain text.
+/// Extensions of formats that no command writes, or only few: of the others such a file would contain text.
 const OTHERS: &[&str] = &[
     ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",
     ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",
