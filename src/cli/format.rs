@@ -112,10 +112,10 @@ pub fn endings(formats: &[Format]) -> String {
     known.flat_map(|format| format.endings()).copied().collect::<Vec<_>>().join(", ")
 }
 
-/// Extensions of formats that no command writes: such a file would contain text.
+/// Extensions of formats that no command writes, or only few: of the others such a file would contain text.
 const OTHERS: &[&str] = &[
-    ".pdf", ".ps", ".eps", ".doc", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsm", ".ods", ".tsv", ".ppt", ".pptx",
-    ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg", ".step", ".stp",
+    ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",
+    ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg", ".step", ".stp",
     ".iges", ".igs", ".stl", ".cdw", ".frw", ".spw", ".zip", ".gz", ".7z", ".rar", ".tar", ".toml", ".ini", ".js",
     ".py", ".sqlite", ".db", ".exe",
 ];

@@ -1,5 +1,6 @@
 //! What audits of many plans share: tables are read once, parts planned once, programs interpreted once.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::error::KnowledgeError;
@@ -11,7 +12,7 @@ use crate::part::Part;
 use crate::plan::Plan;
 use crate::planner;
 use crate::program::{Fault, Language, Setting};
-use crate::tables::audit::Mistakes;
+use crate::tables::audit::{AuditThresholds, Mistakes, Threshold};
 use crate::tables::holders::HolderRow;
 use crate::tooling::named::{self, NamedCutter};
 
@@ -30,6 +31,7 @@ pub struct Auditor<'k> {
     pub(super) holders: Names<'k, HolderRow<'k>>,
     tolerances: Tolerances,
     pub(super) mistakes: Vec<Mistakes<'k>>,
+    thresholds: BTreeMap<Threshold, f64>,
     plans: Memo<Result<Arc<Plan>, KnowledgeError>>,
     runs: Memo<SimulatedProgram>,
     languages: Memo<Result<Arc<Language>, KnowledgeError>>,
@@ -56,6 +58,7 @@ impl<'k> Auditor<'k> {
             holders: Names::new(holders),
             tolerances: Tolerances::read(knowledge)?,
             mistakes: mistakes::read(knowledge)?,
+            thresholds: knowledge.rows::<AuditThresholds<'_>>()?.iter().map(|row| (row.name, row.value)).collect(),
             plans: Memo::default(),
             runs: Memo::default(),
             languages: Memo::default(),
@@ -89,6 +92,11 @@ impl<'k> Auditor<'k> {
     /// The language of a control, read once.
     pub(super) fn language(&self, control: &str) -> Result<Arc<Language>, KnowledgeError> {
         self.languages.get(control.to_owned(), || Language::read(control, self.knowledge).map(Arc::new))
+    }
+
+    /// A limit by the table `audit-thresholds`.
+    pub fn threshold(&self, name: Threshold) -> f64 {
+        self.thresholds.get(&name).copied().unwrap_or_default()
     }
 
     /// The rounding tolerances.

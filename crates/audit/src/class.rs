@@ -3,15 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::note::{Note, Severity};
+use crate::tables::audit::Threshold;
 
+use super::auditor::Auditor;
 use super::finding::{Audit, AuditFinding};
 use super::many::Audited;
 use super::stated::Author;
-
-/// Two works are told to the lecturer from so many wrong figures on that both state and hardly anybody else does. Ours.
-const SHARED: usize = 2;
-/// In how many works at most a wrong figure may stand to be unusual, beside one work in ten. Ours.
-const UNUSUAL: usize = 2;
 
 impl Author {
     /// What the plan does not say, by the name of its file: `Коваль_Іван_ТМ-31_7.yaml`. A part with letters and digits is the group, one of
@@ -80,9 +77,9 @@ pub struct Alike {
     pub figures: Vec<(String, String)>,
 }
 
-/// Pairs of works that state the same wrong figures which hardly any other work states. A wrong figure that follows from another counts,
+/// Pairs of works that state the same wrong figures which hardly any other work states, by the table `audit-thresholds`. A wrong figure that follows from another counts,
 /// too: it was copied with it or computed from it.
-pub fn alike(audited: &[Audited]) -> Vec<Alike> {
+pub fn alike(audited: &[Audited], auditor: &Auditor<'_>) -> Vec<Alike> {
     let mut stated: BTreeMap<(String, String), Vec<usize>> = BTreeMap::new();
     for (at, audit) in works(audited) {
         for finding in audit.findings.iter().filter(|finding| finding.is_wrong() && finding.quantity.is_some()) {
@@ -93,16 +90,18 @@ pub fn alike(audited: &[Audited]) -> Vec<Alike> {
             }
         }
     }
-    let most = UNUSUAL.max(audited.len() / 10);
+    let share = auditor.threshold(Threshold::AlikeShare) * audited.len() as f64;
+    let most = auditor.threshold(Threshold::AlikeWorks).max(share);
     let mut pairs: BTreeMap<(usize, usize), Vec<(String, String)>> = BTreeMap::new();
-    for (figure, works) in stated.into_iter().filter(|(_, works)| works.len() <= most) {
+    for (figure, works) in stated.into_iter().filter(|(_, works)| works.len() as f64 <= most) {
         for (at, one) in works.iter().enumerate() {
             for other in works.iter().skip(at + 1) {
                 pairs.entry((*one, *other)).or_default().push(figure.clone());
             }
         }
     }
-    let alike = pairs.into_iter().filter(|(_, figures)| figures.len() >= SHARED);
+    let alike =
+        pairs.into_iter().filter(|(_, figures)| figures.len() as f64 >= auditor.threshold(Threshold::AlikeFigures));
     let mut alike: Vec<Alike> = alike.map(|(works, figures)| Alike { works, figures }).collect();
     alike.sort_by_key(|one| std::cmp::Reverse(one.figures.len()));
     alike

@@ -7,6 +7,8 @@
 
 use std::collections::BTreeSet;
 
+use crate::tables::audit::Threshold;
+
 use super::context::Context;
 use super::figures::{Nature, nature};
 use super::graph::{Formula, Graph, Rule, Status};
@@ -19,9 +21,6 @@ pub(super) const RULES: &[Rule] = &[MISPRINT];
 
 /// The most misprints of a plan; each changes one figure, and few plans have so many.
 const MOST: usize = 32;
-
-/// No misprinted length, feed or torque was meant to be larger: metres computed with millimetres are a mistake of the formula.
-const LARGEST: f64 = 1e4;
 
 /// A figure that may have been misprinted.
 struct Suspect {
@@ -69,7 +68,8 @@ pub(super) fn correct<'a>(context: &Context<'a>, graph: &mut Graph<'a>) {
 fn explains(context: &Context<'_>, graph: &Graph<'_>, computed: Id) -> Option<Suspect> {
     let found = misprinted(graph, computed)?;
     let stated = graph.printed(found.id)?.value;
-    let point = nature(stated, found.right) == Nature::DecimalPoint && found.right < LARGEST;
+    let point = nature(stated, found.right) == Nature::DecimalPoint
+        && found.right < context.auditor.threshold(Threshold::MisprintLargest);
     (found.mends > 1 || point || !is_usual_mistake(context, graph, computed)).then_some(found)
 }
 

@@ -7,17 +7,12 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Figure, Note, Severity};
-use crate::tables::audit::{MistakenLaw, MistakenPlace, Mistakes};
+use crate::tables::audit::{MistakenLaw, MistakenPlace, Mistakes, Threshold};
 
 use super::context::Context;
 use super::graph::{Compute, Formula, Graph};
 use super::quantity::{Id, Scope};
 use super::stated::StatedFigure;
-
-/// How near a figure must be to what a mistake gives, as a share of it: rounding on the way.
-const NEAR: f64 = 0.003;
-/// The coarsest printed figure that is compared: half of its last place, as a share of it. A figure of one digit fits anything.
-const COARSE: f64 = 0.05;
 
 /// Another law in place of a formula's: coefficients of another row, a correction left out.
 pub(super) struct OtherLaw<'a> {
@@ -47,11 +42,13 @@ pub(super) fn recognised(
     formula: &Formula<'_>,
     figure: &StatedFigure,
 ) -> Option<Recognised> {
-    if figure.value == 0.0 || figure.last_place / 2.0 > COARSE * figure.value.abs() {
+    let coarse = context.auditor.threshold(Threshold::MistakeCoarse);
+    if figure.value == 0.0 || figure.last_place / 2.0 > coarse * figure.value.abs() {
         return None;
     }
     let bases = bases(graph, formula);
-    let fits = |value: f64| (figure.value - value).abs() <= figure.last_place / 2.0 + NEAR * value.abs();
+    let near = context.auditor.threshold(Threshold::MistakeNear);
+    let fits = |value: f64| (figure.value - value).abs() <= figure.last_place / 2.0 + near * value.abs();
     let of_rule = || context.auditor.mistakes.iter().filter(|mistake| mistake.rule == formula.rule.id);
     let others = match (of_rule().any(|mistake| mistake.law.is_some()), &formula.others) {
         (true, Some(others)) => others(),

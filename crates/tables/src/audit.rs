@@ -100,6 +100,24 @@ vocabulary! {
         Tool = "tool",
     }
 
+    /// A limit by which an audit tells one thing from another.
+    pub enum Threshold {
+        /// The largest misprint.
+        MisprintLargest = "misprint-largest",
+        /// How near a figure is to a usual mistake, as a share.
+        MistakeNear = "mistake-near",
+        /// The coarsest figure that is compared with usual mistakes, as a share.
+        MistakeCoarse = "mistake-coarse",
+        /// From which share of its depth a pass cuts the whole thread.
+        ThreadWhole = "thread-whole",
+        /// How many equal wrong figures make two works alike.
+        AlikeFigures = "alike-figures",
+        /// In how many works an unusual figure may stand.
+        AlikeWorks = "alike-works",
+        /// In which share of the works an unusual figure may stand.
+        AlikeShare = "alike-share",
+    }
+
     /// What must be known of the part of a list of tools for a rule to judge it.
     pub enum Need {
         /// Nothing: the list is enough.
@@ -202,6 +220,12 @@ rows! {
     pub struct AuditShares of One("audit-shares") complete part {
         part: PlanPart,
         of_points: Percent,
+    }
+
+    /// The limits of an audit.
+    pub struct AuditThresholds of One("audit-thresholds") complete name {
+        name: Threshold,
+        value: f64,
     }
 
     /// The rules that judge a list of tools without a part.

@@ -3,6 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use technolog::audit::class::{Alike, alike};
 use technolog::audit::marks::MarkingScheme;
 use technolog::audit::{Audited, Auditor, Unread};
 use technolog::document::cleaned;
@@ -75,12 +76,13 @@ pub fn run(
         return Err(Diagnostic::error("no-plans", message, None).help(context.word("audit-what-is-a-plan")).into());
     }
     let sheets = sheets.map(|folder| write_sheets(folder, format, &audited, context)).transpose()?.unwrap_or_default();
+    let pairs = alike(&audited, auditor);
     match format {
-        Format::Csv => context.emit_separated(&grade_book(&audited, context))?,
-        Format::Xlsx => context.emit_workbook(&grade_book(&audited, context))?,
+        Format::Csv => context.emit_separated(&grade_book(&audited, &pairs, context))?,
+        Format::Xlsx => context.emit_workbook(&grade_book(&audited, &pairs, context))?,
         Format::Json => context.emit_json(&audited)?,
         Format::Yaml => context.emit_yaml(&audited)?,
-        _ => context.emit_document(&report::audit::many::page(&audited, &sheets, context.lang), format)?,
+        _ => context.emit_document(&report::audit::many::page(&audited, &pairs, &sheets, context.lang), format)?,
     }
     if audited.iter().any(|one| one.audit().is_none()) {
         return Err(CliError::Shown);
@@ -90,8 +92,8 @@ pub fn run(
 }
 
 /// The grade book as tables.
-fn grade_book(audited: &[Audited], context: &Context) -> Vec<Sheet> {
-    let tables = report::audit::class::grade_book(audited, context.lang).into_iter();
+fn grade_book(audited: &[Audited], pairs: &[Alike], context: &Context) -> Vec<Sheet> {
+    let tables = report::audit::class::grade_book(audited, pairs, context.lang).into_iter();
     let rows = |rows: Vec<Vec<String>>| (1..).zip(rows).map(|(line, cells)| Row { line, cells }).collect();
     tables.map(|table| Sheet { name: table.name, rows: rows(table.rows) }).collect()
 }

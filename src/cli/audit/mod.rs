@@ -48,10 +48,18 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let problem = Diagnostic::error("folder-against", context.word("audit-folder-against"), None);
             return Err(problem.help(context.word("audit-name-a-plan")).into());
         }
+        if args.part.is_some() {
+            let problem = Diagnostic::error("folder-part", context.word("audit-folder-part"), None);
+            return Err(problem.help(context.word("audit-folder-part-help")).into());
+        }
         let places = FileRoots { folder: Some(&args.plan), anywhere: args.allow_outside };
         let asked =
             folder::Asked { folder: &args.plan, format, scheme: scheme.as_ref(), sheets: args.sheets.as_deref() };
         return folder::run(&asked, &auditor, places, context);
+    }
+    if args.sheets.is_some() {
+        let problem = Diagnostic::error("sheets-of-one", context.word("audit-sheets-of-one"), None);
+        return Err(problem.help(context.word("audit-sheets-of-one-help")).into());
     }
     let places = FileRoots { folder: None, anywhere: args.allow_outside };
     let part = args.part.as_deref().map(|path| file::part(path, &auditor, context)).transpose()?;

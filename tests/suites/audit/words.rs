@@ -156,7 +156,7 @@ fn everything(lang: Lang) -> Vec<(String, String)> {
         let unreadable = read_plan("broken.yaml", broken, &KNOWLEDGE, &none).unwrap_err();
         audited.push(Audited::Unreadable(Unread::new("broken.yaml", &unreadable.problems, lang)));
     }
-    all.extend(written(&many::page(&audited, &[], lang)).into_iter().map(|page| ("folder".to_owned(), page)));
+    all.extend(written(&many::page(&audited, &[], &[], lang)).into_iter().map(|page| ("folder".to_owned(), page)));
     // Some beside another of their kind, and one by hand beside one of ours.
     let pairs = PLANS.chunks_exact(2).step_by(3).map(|pair| (&pair[0].0, &pair[1].0));
     for (a, b) in pairs.chain(PLANS.first().zip(PLANS.last()).map(|(a, b)| (&a.0, &b.0))) {

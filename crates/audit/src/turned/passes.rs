@@ -6,7 +6,7 @@ use crate::knowledge::Knowledge;
 use crate::note::{Note, Severity};
 use crate::program::Fault;
 use crate::program::lathe::{LatheAct, LatheMotion, LathePoint, LatheRun};
-use crate::tables::audit::{AuditLathePaceFor, PaceFigure};
+use crate::tables::audit::{AuditLathePaceFor, AuditThresholds, PaceFigure, Threshold};
 use crate::tables::turning::jobs::{JobLimit, ThreadingFirstPassFor};
 use crate::turning::contour::Side;
 use crate::turning::jobs::limits::Limits;
@@ -18,9 +18,6 @@ use technolog_core::material::Material;
 use super::calls::CalledTool;
 use super::fault;
 use super::lathe::turns;
-
-/// From which share of the depth of a thread on a pass is the whole of it: what is left is for finishing passes. Ours.
-const WHOLE: f64 = 0.9;
 
 /// How far a depth may be off by the decimals of a program, mm: a thousandth of a diameter, at both ends.
 const ROUNDING_MM: f64 = 0.001;
@@ -41,6 +38,8 @@ pub(super) fn passes(
 ) -> Result<Vec<Fault>, KnowledgeError> {
     let material_group = Material::find(knowledge, &operation.workpiece.material)?.group;
     let mut limits = Limits::of(knowledge);
+    let thresholds = knowledge.rows::<AuditThresholds<'_>>()?;
+    let whole_share = thresholds.iter().find(|row| row.name == Threshold::ThreadWhole).map_or(1.0, |row| row.value);
     let mut faults = Vec::new();
     for (side, cut) in work.jobs.iter().filter_map(|job| Some((job.side, job.thread.as_ref()?))) {
         let share = limits.ratio(JobLimit::ThreadRunIn)? / limits.ratio(JobLimit::ThreadRunOut)?;
@@ -78,7 +77,7 @@ pub(super) fn passes(
         let most = asked.need(material_group)?.depth.to_mm();
         if let Some((depth, line)) = deepest_step(&own, cut) {
             let whole = (cut.root_radius_mm.to_mm() - cut.crest_radius_mm.to_mm()).abs();
-            let figure = if depth < WHOLE * whole { PaceFigure::ThreadPass } else { PaceFigure::WholeThread };
+            let figure = if depth < whole_share * whole { PaceFigure::ThreadPass } else { PaceFigure::WholeThread };
             let share = ((depth - ROUNDING_MM) / most).max(0.0);
             let severity = knowledge.ask(&AuditLathePaceFor { figure, share })?.need("share")?.severity;
             if severity != Severity::Note {

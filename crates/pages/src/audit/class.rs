@@ -1,6 +1,6 @@
 //! A class for its lecturer: the grade book, the mistakes it makes most, and works with the same unusual figures.
 
-use technolog_audit::class::{Alike, Common, alike, common};
+use technolog_audit::class::{Alike, Common, common};
 use technolog_audit::{Audit, Audited, Section};
 use technolog_document::{Column, Document, Inlines, Table};
 use technolog_words::say;
@@ -31,8 +31,8 @@ const SECTIONS: [Section; 9] = [
     Section::Missing,
 ];
 
-/// The grade book: a row for each work, the mistakes of the class, and works alike.
-pub fn grade_book(audited: &[Audited], lang: Lang) -> Vec<GradeTable> {
+/// The grade book: a row for each work, the mistakes of the class, and `alike`, the works alike.
+pub fn grade_book(audited: &[Audited], alike: &[Alike], lang: Lang) -> Vec<GradeTable> {
     let mut tables = vec![grades(audited, lang)];
     let mistakes: Vec<Vec<String>> = common(audited).iter().map(|one| mistake(one, audited, lang).to_vec()).collect();
     tables.extend(table(
@@ -41,7 +41,7 @@ pub fn grade_book(audited: &[Audited], lang: Lang) -> Vec<GradeTable> {
         mistakes,
         lang,
     ));
-    let pairs: Vec<Vec<String>> = alike(audited).iter().map(|one| pair(one, audited, lang).to_vec()).collect();
+    let pairs: Vec<Vec<String>> = alike.iter().map(|one| pair(one, audited, lang).to_vec()).collect();
     tables.extend(table(
         "audit-class-alike",
         ["audit-column-work", "audit-column-other-work", "audit-column-same"],
@@ -146,7 +146,7 @@ fn pair(one: &Alike, audited: &[Audited], lang: Lang) -> [String; 3] {
 }
 
 /// What the page of a folder tells of the whole class, below its works.
-pub(super) fn push(page: &mut Document, audited: &[Audited], lang: Lang) {
+pub(super) fn push(page: &mut Document, audited: &[Audited], alike: &[Alike], lang: Lang) {
     let mut add = |name: &str, note: &str, columns: [Column; 3], rows: Vec<[String; 3]>, number: Option<usize>| {
         if rows.is_empty() {
             return;
@@ -171,6 +171,6 @@ pub(super) fn push(page: &mut Document, audited: &[Audited], lang: Lang) {
     let rows = common(audited).iter().map(|one| mistake(one, audited, lang)).collect();
     add("audit-class-mistakes", "audit-class-mistakes-note", columns, rows, Some(1));
     let columns = [text("audit-column-work"), text("audit-column-other-work"), text("audit-column-same").min_width(30)];
-    let rows = alike(audited).iter().map(|one| pair(one, audited, lang)).collect();
+    let rows = alike.iter().map(|one| pair(one, audited, lang)).collect();
     add("audit-class-alike", "audit-class-alike-note", columns, rows, None);
 }

@@ -1,5 +1,6 @@
 //! Audits of many plans as a table: one line for each, with its first finding.
 
+use technolog_audit::class::Alike;
 use technolog_audit::{Audit, Audited, Counts, Unread, total};
 use technolog_document::{Column, Document, Inlines, Keep, Table};
 use technolog_words::say;
@@ -10,8 +11,8 @@ use super::{counts, finding_text, place};
 
 /// The page.
 ///
-/// `sheets` are the paths of the students' sheets from the page, one for each work; none where there are no sheets.
-pub fn page(audited: &[Audited], sheets: &[String], lang: Lang) -> Document {
+/// `alike` are the works alike, for the lecturer. `sheets` are the paths of the students' sheets from the page, one for each work; none where there are no sheets.
+pub fn page(audited: &[Audited], alike: &[Alike], sheets: &[String], lang: Lang) -> Document {
     let mut page = Document::new(lang.tag(), lang.word("audit-folder"));
     page.push(table(audited, sheets, lang));
     let unread = audited.iter().filter(|one| one.audit().is_none()).count();
@@ -26,7 +27,7 @@ pub fn page(audited: &[Audited], sheets: &[String], lang: Lang) -> Document {
         doubtful = doubtful,
         note = note
     ));
-    super::class::push(&mut page, audited, lang);
+    super::class::push(&mut page, audited, alike, lang);
     page
 }
 

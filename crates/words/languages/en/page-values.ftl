@@ -445,3 +445,5 @@ table-value-law-factor-inverted = a factor upside down
 table-value-law-other-row = another row
 table-value-law-other-exponent = another exponent
 table-value-at-row = in the row
+table-value-needs-material = the material
+table-value-needs-machine = the machine

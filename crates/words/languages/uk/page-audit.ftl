@@ -260,3 +260,7 @@ audit-sheet-follow = { $count ->
 audit-sheets-format = аркуші студентам – це сторінки: `--format html` або `--format markdown`
 audit-sheets-format-help = додайте `--format html`; відомість оцінок – це інший запуск, з `--format csv` або `xlsx`
 audit-sheet-lines = (рядки
+audit-folder-part = у теці роботи з різних деталей; кожна називає свою
+audit-folder-part-help = назвіть деталь у кожному плані, над кожним переліком: `деталь`; або перевірте один файл із `--part`
+audit-sheets-of-one = аркуші пишуть для теки робіт
+audit-sheets-of-one-help = назвіть теку; сторінка одного плану – це `-o FILE.html`

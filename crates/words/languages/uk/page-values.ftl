@@ -445,3 +445,5 @@ table-value-law-factor-inverted = коефіцієнт перевернуто
 table-value-law-other-row = інший рядок
 table-value-law-other-exponent = інший показник степеня
 table-value-at-row = у рядку
+table-value-needs-material = матеріал
+table-value-needs-machine = верстат
