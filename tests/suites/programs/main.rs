@@ -16,6 +16,7 @@ mod fuzz;
 mod iso;
 mod proof;
 mod report;
+mod through_nothing;
 mod times;
 mod unfinished;
 mod written;
