@@ -79,8 +79,7 @@ fn beyond_edge(setup: &SetUp, plan: &Plan, machine: &Machine<'_>, findings: &mut
         let holes = reaches(setup)
             .map(|(at, _, hole)| (away(at), Note::new("hole-off-table").with("hole", Figure::called(hole))));
         let clamps = clamping.into_iter().flat_map(|clamping| &clamping.clamps);
-        let clamps =
-            clamps.map(|at| (away(*at), Note::new("clamp-off-table").with("at", at.shown())));
+        let clamps = clamps.map(|at| (away(*at), Note::new("clamp-off-table").with("at", at.shown())));
         let severity = if part.fixture.height.is_some() { Severity::Doubtful } else { Severity::Wrong };
         for worst in [holes.max_by_key(|one| one.0), clamps.max_by_key(|one| one.0)].into_iter().flatten() {
             let (away, note) = worst;

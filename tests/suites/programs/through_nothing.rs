@@ -82,7 +82,11 @@ fn standing(plan: &Plan, part: &Part) -> Vec<Standing> {
         let sides = [at[0], size[0] - at[0], at[1], size[1] - at[1]];
         let nearest = (0..4).min_by(|one, two| sides[*one].total_cmp(&sides[*two])).unwrap();
         let (axis, outward) = (nearest / 2, nearest % 2 == 1);
-        if outward { high[axis] = at[axis] + length - width / 2.0 } else { low[axis] = at[axis] - length + width / 2.0 }
+        if outward {
+            high[axis] = at[axis] + length - width / 2.0
+        } else {
+            low[axis] = at[axis] - length + width / 2.0
+        }
         all.push((low, high, height));
     }
     all
@@ -176,11 +180,18 @@ fn holds(bench: &ProofBench) -> Result<(), TestCaseError> {
                         let (axis, low) = ([x - x0, y - y0], z - z0 - mm(tool.correction_mm) + mm(body.from));
                         for one in &standing {
                             let through = low < one.2 - GRID_MM && away(axis, one) < mm(body.diameter) / 2.0 - GRID_MM;
-                            prop_assert!(!through, "{control}: {:?} of T{place} at {axis:?} Z{low}: {one:?}", body.kind);
+                            prop_assert!(
+                                !through,
+                                "{control}: {:?} of T{place} at {axis:?} Z{low}: {one:?}",
+                                body.kind
+                            );
                         }
                         let enters = part.holes.iter().any(|hole| {
-                            let over = |at: &technolog::part::Point| away(axis, &([mm(at.x), mm(at.y)], [mm(at.x), mm(at.y)], 0.0));
-                            body.diameter < hole.diameter.nominal && hole.at.iter().any(|at| over(at) < mm(hole.diameter.nominal) / 2.0)
+                            let over = |at: &technolog::part::Point| {
+                                away(axis, &([mm(at.x), mm(at.y)], [mm(at.x), mm(at.y)], 0.0))
+                            };
+                            body.diameter < hole.diameter.nominal
+                                && hole.at.iter().any(|at| over(at) < mm(hole.diameter.nominal) / 2.0)
                         });
                         prop_assert!(low > -GRID_MM || enters, "{control}: {body:?} of T{place} at {axis:?} Z{low}");
                     }
@@ -205,4 +216,30 @@ proptest! {
         }
         holds(&bench)?;
     }
+}
+
+/// The law sees: an obstacle that has grown since the program was written, a hole that has moved, a strap that is thicker than planned.
+#[test]
+fn the_law_notices_what_stands_in_the_way() {
+    let text = |fixture: &str| {
+        format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\ndatum: {{x: left, y: front}}\n\
+             blank: {{kind: plate, length: 400, width: 200, thickness: 30}}\n{fixture}\nholes:\n  \
+             - {{name: A, diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, \
+             at: [[45, 100], [353, 100]]}}\n"
+        )
+    };
+    let bench = |fixture: &str| ProofBench::of(&technolog_testing::read(&text(fixture)));
+    let obstacle = "fixture: {obstacles: [{outline: [[150, 80], [190, 120]], height: 60}]}";
+    assert!(holds(&bench("")).is_ok() && holds(&bench(obstacle)).is_ok());
+    let mut grown = bench(obstacle);
+    grown.plan.part.fixture.obstacles[0].height = Micrometres::from_mm(66);
+    assert!(holds(&grown).is_err());
+    let mut moved = bench("");
+    moved.plan.part.holes[0].at[0].x += Micrometres::from_mm(1);
+    assert!(holds(&moved).is_err());
+    let mut held = bench("");
+    let clamping = held.plan.clamping.as_mut().unwrap();
+    clamping.clamps[0] = held.plan.part.holes[0].at[0];
+    assert!(holds(&held).is_err());
 }
