@@ -236,7 +236,8 @@ fn the_law_notices_what_stands_in_the_way() {
     grown.plan.part.fixture.obstacles[0].height = Micrometres::from_mm(66);
     assert!(holds(&grown).is_err());
     let mut moved = bench("");
-    moved.plan.part.holes[0].at[0].x += Micrometres::from_mm(1);
+    let at = &mut moved.plan.part.holes[0].at[0];
+    at.x = at.x + Micrometres::from_mm(1);
     assert!(holds(&moved).is_err());
     let mut held = bench("");
     let clamping = held.plan.clamping.as_mut().unwrap();
