@@ -14,7 +14,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::machine::Machine;
 use crate::note::{Because, Figure, Finding, Note, Severity};
-use crate::part::{Fixture, Outline, Part, Point};
+use crate::part::{Face, Fixture, Outline, Part, Point};
 use crate::plan::{Clamping, HolePlan, Operation, OwnFixture, Strap, Transition, Vice};
 use crate::shop::{Shop, convention};
 use crate::tables::controls::Convention;
@@ -65,6 +65,37 @@ pub fn clamping(
         Finding::of_part(Severity::Doubtful, note)
     });
     Ok((None, finding.into_iter().collect()))
+}
+
+/// The clamps of the second set-up, by what is cut there, with the part turned over: proposed as those of the first. None where nothing
+/// is cut there, or the file says what holds it: a fixture of its own, or obstacles of that set-up.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub fn second_clamping(
+    part: &Part,
+    holes: &[HolePlan],
+    shop: &Shop<'_>,
+) -> Result<(Option<Clamping>, Vec<Finding>), KnowledgeError> {
+    let back: Vec<HolePlan> = holes.iter().map(|plan| of_face(plan, Face::Back)).collect();
+    let given = part.fixture.own.is_some() || part.fixture.obstacles.iter().any(|one| one.set_up == 2);
+    if given || back.iter().all(|plan| plan.transitions.is_empty()) {
+        return Ok((None, Vec::new()));
+    }
+    let mut turned = part.clone();
+    turned.fixture.clamps.clear();
+    for at in turned.holes.iter_mut().flat_map(|hole| &mut hole.at) {
+        *at = part.turned_over(*at);
+    }
+    let (clamping, findings) = clamping(&turned, &back, shop)?;
+    let of_second = |own: Finding| Finding { note: Note::new("in-second-set-up").with("why", own.note), ..own };
+    Ok((clamping, findings.into_iter().map(of_second).collect()))
+}
+
+/// A group of holes with what is done here from one face.
+pub fn of_face(plan: &HolePlan, face: Face) -> HolePlan {
+    let transitions = plan.transitions.iter().filter(|one| !one.elsewhere && one.face == face).cloned().collect();
+    HolePlan { transitions, ..plan.clone() }
 }
 
 /// A vice for a part that no clamps hold: where the file names neither clamps nor what else stands there, and `findings` of
@@ -315,7 +346,7 @@ fn beside_strap(
     let straps: Vec<Outline> = clamping.clamps.iter().map(|at| strap.standing(*at, part).outline).collect();
     for (at, one) in straps.iter().enumerate() {
         if let Some(other) = (at + 1..straps.len()).find(|other| one.overlaps(&straps[*other])) {
-            let shown = |index: usize| clamping.clamps.get(index).map(|at| format!("[{}; {}]", at.x, at.y));
+            let shown = |index: usize| clamping.clamps.get(index).map(|at| at.shown());
             let note = Note::new("straps-overlap").with("one", shown(at).unwrap_or_default());
             let note = note.with("other", shown(other).unwrap_or_default());
             return Ok(Some(Finding::of_part(Severity::Error, note)));

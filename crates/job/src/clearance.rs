@@ -34,8 +34,8 @@ pub(super) fn change_over_part(
 
 /// The straps that the plan proposes. Where the file says how high tools go from hole to hole, the straps must be chosen lower
 /// than that instead.
-pub(super) fn straps(plan: &Plan) -> Vec<Standing> {
-    let clamping = plan.clamping.as_ref().filter(|clamping| clamping.proposed && plan.part.fixture.retract.is_none());
+pub(super) fn straps(plan: &Plan, set_up: u32) -> Vec<Standing> {
+    let clamping = plan.clamping_of(set_up).filter(|clamping| clamping.proposed && plan.part.fixture.retract.is_none());
     let Some((clamping, strap)) = clamping.and_then(|clamping| Some((clamping, clamping.strap?))) else {
         return Vec::new();
     };
@@ -65,7 +65,7 @@ pub(super) fn beside(
         });
         if let Some(work) = near {
             let note = Note::new("tool-beside-clamp").with("tool", work.tool).with("least", side);
-            let note = note.with("at", format!("[{}; {}]", one.at.x, one.at.y));
+            let note = note.with("at", one.at.shown());
             findings.push(Finding::of_part(Severity::Wrong, note));
         }
     }
@@ -92,11 +92,14 @@ pub(super) fn ways_over_clamps(
     let mut findings = Vec::new();
     let foot = shop.convention(HoleDefault::ClampInset)?;
     let home = Point { x: change.0 - setup.zero.x, y: change.1 - setup.zero.y };
-    let unmeasured = plan.part.fixture.clamps.iter().filter(|clamp| clamp.height.is_none());
+    // The clamps of the file are those of the first set-up.
+    let clamps = plan.part.fixture.clamps.iter().filter(|_| setup.number == 1);
+    let unmeasured = clamps.filter(|clamp| clamp.height.is_none());
     let unmeasured = unmeasured.map(|clamp| (clamp.at, clamp.outline(foot))).collect();
     // Tools go over straps, unless the file says how high they go.
     let retract = plan.part.fixture.retract;
-    let proposed = plan.clamping.iter().filter(|clamping| clamping.proposed && retract.is_some());
+    let proposed = plan.clamping_of(setup.number).into_iter();
+    let proposed = proposed.filter(|clamping| clamping.proposed && retract.is_some());
     let proposed = proposed.flat_map(|clamping| &clamping.clamps);
     let proposed = proposed.map(|at| (*at, Outline::Round(*at, foot))).collect();
     let both: [(Vec<(Point, Outline)>, _, _); 2] =
@@ -109,7 +112,7 @@ pub(super) fn ways_over_clamps(
             let points: Vec<Point> = ends.collect();
             for ((at, outline), pair) in clamps.iter().flat_map(|one| points.windows(2).map(move |pair| (one, pair))) {
                 if outline.is_hit_by_rapid(pair[0], pair[1], Micrometres::ZERO) {
-                    let shown = format!("[{}; {}]", at.x, at.y);
+                    let shown = at.shown();
                     under.extend(Some(shown.clone()).filter(|_| !under.contains(&shown)));
                     let out = work.cycles.iter().map(|cycle| cycle.out).min();
                     height = height.into_iter().chain(out).min();
@@ -170,8 +173,7 @@ pub(super) fn go_over(
         // How high straps of the plan's own are stands in its set-up.
         if let Some(one) = raises.filter(|one| !one.proposed) {
             let note = Note::new("goes-over").with("tool", work.tool).with("height", over);
-            let shown = format!("[{}; {}]", one.at.x, one.at.y);
-            findings.push(Finding::of_part(Severity::Note, note.with("at", shown)));
+            findings.push(Finding::of_part(Severity::Note, note.with("at", one.at.shown())));
         }
     }
     Ok(())

@@ -61,10 +61,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
             continue;
         }
         let mut standing = part.standing(number, shop.convention(HoleDefault::ClampInset)?);
-        // The clamps are those of the first set-up.
-        if number == 1 {
-            standing.extend(straps(plan));
-        }
+        standing.extend(straps(plan, number));
         let zero = across(part, &works, machine);
         let home = Point { x: machine.tool_change_at.0 - zero.x, y: machine.tool_change_at.1 - zero.y };
         go_over(&mut works, &standing, home, plan, shop, &mut findings)?;
@@ -72,9 +69,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         let frames: Vec<u8> = (first..frames).map(frame).collect();
         let setup = SetUp { number, face, frames, zero, supports, nose, works, standing };
         change_over_part(&setup, part, machine.tool_change_at, &mut findings);
-        if face == Face::Entry {
-            asked.extend(ways_over_clamps(&setup, plan, machine.tool_change_at, shop)?);
-        }
+        asked.extend(ways_over_clamps(&setup, plan, machine.tool_change_at, shop)?);
         beside(&setup, plan, shop, &mut findings)?;
         reach_of_quill(&setup, plan, shop, &mut findings);
         on_table::faults(&setup, plan, machine, &mut findings);

@@ -3,7 +3,7 @@
 use crate::machine::Machine;
 use crate::motion::Axis;
 use crate::note::{Figure, Finding, Note, Severity};
-use crate::part::{Face, Part, Point};
+use crate::part::{Part, Point};
 use crate::plan::Plan;
 use crate::units::Micrometres;
 use crate::zone;
@@ -59,7 +59,7 @@ fn travels(setup: &SetUp, part: &Part, machine: &Machine<'_>, findings: &mut Vec
 /// A part that reaches beyond the edge of the table; and holes and clamps with no table under them, where the fixture of the
 /// file is not what bears them.
 fn beyond_edge(setup: &SetUp, plan: &Plan, machine: &Machine<'_>, findings: &mut Vec<Finding>) {
-    let (part, clamping) = (&plan.part, plan.clamping.as_ref());
+    let (part, clamping) = (&plan.part, plan.clamping_of(setup.number));
     let sides = [
         (Axis::X, part.datum.left, part.blank.length, machine.table_length),
         (Axis::Y, part.datum.front, part.blank.width, machine.table_width),
@@ -78,10 +78,8 @@ fn beyond_edge(setup: &SetUp, plan: &Plan, machine: &Machine<'_>, findings: &mut
         let away = |at: Point| (zero + along(at, axis)).abs();
         let holes = reaches(setup)
             .map(|(at, _, hole)| (away(at), Note::new("hole-off-table").with("hole", Figure::called(hole))));
-        // Clamps are those of the first set-up.
-        let clamps = clamping.into_iter().filter(|_| setup.face == Face::Entry).flat_map(|clamping| &clamping.clamps);
-        let clamps =
-            clamps.map(|at| (away(*at), Note::new("clamp-off-table").with("at", format!("[{}; {}]", at.x, at.y))));
+        let clamps = clamping.into_iter().flat_map(|clamping| &clamping.clamps);
+        let clamps = clamps.map(|at| (away(*at), Note::new("clamp-off-table").with("at", at.shown())));
         let severity = if part.fixture.height.is_some() { Severity::Doubtful } else { Severity::Wrong };
         for worst in [holes.max_by_key(|one| one.0), clamps.max_by_key(|one| one.0)].into_iter().flatten() {
             let (away, note) = worst;

@@ -17,8 +17,7 @@ fn stand(plan: &Plan, job: &Job, setup: &SetUp, machine: &Machine<'_>) -> Stand 
     let zero = setup.zero;
     let start = Point { x: job.change_at.x - zero.x, y: job.change_at.y - zero.y };
     let outs = setup.works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.out));
-    // The clamps are those of the first set-up.
-    let clamps = plan.clamping.as_ref().filter(|_| setup.face == Face::Entry).map(|clamping| &clamping.clamps);
+    let clamps = plan.clamping_of(setup.number).map(|clamping| &clamping.clamps);
     let zeros = &plan.setup.zeros;
     let (touched, sides) = touches(&plan.part, zeros.first(), setup.face);
     // Further zeros are of the first set-up.

@@ -8,7 +8,7 @@ use crate::document::{Block, Column, Document, Inlines, Keep, Table};
 use crate::job::{Job, Left, Pause, SetUp, Unfinished};
 use crate::knowledge::Knowledge;
 use crate::note::Severity;
-use crate::plan::{Plan, ToolPlan};
+use crate::plan::{Clamping, Plan, ToolPlan};
 use crate::program::Setting;
 
 /// The file of the setting, which `check` reads. Everything but its figures is in its comments.
@@ -127,7 +127,7 @@ fn stand(setup: &SetUp, lang: Lang) -> String {
     say!(lang, "setting-stand", setup = setup.number, supports = setup.supports, nose = setup.nose)
 }
 
-/// The vice; or the clamps of the first set-up, and what their screws lack; of a second set-up, that no clamps are planned for it.
+/// The vice or the fixture of the file; or the clamps of each set-up, and what their screws lack.
 fn clamps(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
     if let Some(vice) = &plan.setup.vice {
         let held = plan.setup.stands.iter().map(|stand| super::sheet::in_vice(vice, stand, lang));
@@ -137,16 +137,28 @@ fn clamps(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
     if let Some(own) = &plan.setup.own {
         return vec![super::sheet::own_fixture(own, lang)];
     }
-    let Some(clamping) = &plan.clamping else { return vec![say!(lang, "plan-no-clamping").to_owned()] };
-    let mut lines = vec![super::sheet::clamps_of(clamping, &plan.part, lang)];
-    if clamping.because.iter().any(|because| because.unconfirmed.is_some()) {
+    let marked = |clamping: &Clamping| clamping.because.iter().any(|because| because.unconfirmed.is_some());
+    let mut lines = Vec::new();
+    for setup in &job.setups {
+        let Some(clamping) = plan.clamping_of(setup.number) else {
+            lines.push(match setup.number {
+                1 => say!(lang, "plan-no-clamping").to_owned(),
+                number => say!(lang, "setting-clamps-of-second", setup = number),
+            });
+            continue;
+        };
+        let clamps = super::sheet::clamps_of(clamping, &plan.part, lang);
+        lines.push(match setup.number {
+            1 => clamps,
+            number => say!(lang, "setting-of-set-up", setup = number, clamps = clamps),
+        });
+        if clamping.screw_bears_n.0 < clamping.force_per_clamp_n.0 {
+            lines.push(super::sheet::weak_screw(clamping, lang));
+        }
+    }
+    if plan.clamping.iter().chain(&plan.setup.second_clamping).any(marked) {
         lines.push(say!(lang, "setting-mark").to_owned());
     }
-    if clamping.screw_bears_n.0 < clamping.force_per_clamp_n.0 {
-        lines.push(super::sheet::weak_screw(clamping, lang));
-    }
-    let turned = job.setups.iter().filter(|setup| setup.number > 1);
-    lines.extend(turned.map(|setup| say!(lang, "setting-clamps-of-second", setup = setup.number)));
     lines
 }
 

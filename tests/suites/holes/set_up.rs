@@ -189,6 +189,37 @@ fn both_set_ups_touch_the_same_face_of_the_part() {
     }
 }
 
+/// The clamps of the second set-up hold against what is cut there, W = k·M/(f·d) with d as the part lies turned over: a hole drawn
+/// 70 mm left of the middle is 70 mm right of it then. What the file places there is not ours to place anew.
+#[test]
+fn the_second_set_up_has_clamps_of_its_own() {
+    let of = |fixture: &str| {
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 240, width: 160, thickness: 30}}\n{fixture}\nholes:\n  - name: B\n    through: true\n    roughness: Ra 12.5\n    centre_tolerance: 0.3\n    \
+             steps: [{{diameter: 11, length: 20}}, {{diameter: 18}}]\n    at: [[-70, 30]]\n"
+        );
+        planned(&read(&text), CuttingMethod::Formula)
+    };
+    let both = of("");
+    let second = both.setup.second_clamping.as_ref().unwrap();
+    assert!(second.proposed && second.clamps.len() >= 2 && second.strap.is_some());
+    let back = both.holes[0].transitions.iter().filter(|one| one.face == technolog::part::Face::Back && !one.elsewhere);
+    let torques = back.filter_map(|step| step.conditions.torque_n_m).map(|torque| torque.0);
+    let torque = torques.fold(0.0, f64::max);
+    let turned = [70.0, 30.0];
+    let arm = |at: &technolog::part::Point| (at.x.to_mm() - turned[0]).hypot(at.y.to_mm() - turned[1]);
+    let arm = second.clamps.iter().map(arm).fold(f64::INFINITY, f64::min);
+    assert!((second.force_n.0 - 2.5 * torque / (0.25 * arm / 1000.0)).abs() < 1.0, "{second:?} {torque} {arm}");
+    assert!(both.setup.stands[1].start_to_clamp_mm.is_some());
+    let given = of("fixture: {obstacles: [{outline: [[-120, -80], [-80, -60]], height: 30, set_up: 2}]}");
+    assert!(given.setup.second_clamping.is_none() && given.clamping.is_some());
+    // A screw of its own has a safe distance of its own: 285 mm of M24 (textbook 1.11) are more than the way to the tool change.
+    let thick = of("fixture: {height: 40, clamps: [{at: [0, 60], screw: M24}, {at: [0, -60], screw: M10}]}");
+    assert_eq!(figures(&thick, "start-near-clamp", &["distance", "needed"]).1, ["136", "285"]);
+    let thin = of("fixture: {height: 40, clamps: [{at: [0, 20], screw: M10}, {at: [0, -60], screw: M24}]}");
+    assert_eq!(figures(&thin, "start-near-clamp", &["distance", "needed"]).1, ["256", "285"]);
+}
+
 /// A strap of M10 is 15 mm high (DIN 6314), a nut of 1.5 d and what is over and under it 20 more: 35 mm, and 5 over it.
 #[test]
 fn tools_go_over_the_straps_that_the_plan_proposes() {

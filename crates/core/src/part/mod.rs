@@ -168,6 +168,11 @@ impl From<Point> for [Micrometres; 2] {
 }
 
 impl Point {
+    /// As messages show it: `[10; -5.5]`.
+    pub fn shown(self) -> String {
+        format!("[{}; {}]", self.x, self.y)
+    }
+
     /// Straight distance to the nearest of other points; none where there are none.
     pub fn to_nearest(self, others: &[Self]) -> Option<Micrometres> {
         others.iter().map(|other| self.distance(*other)).min()

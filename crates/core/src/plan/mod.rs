@@ -117,6 +117,14 @@ pub struct Plan {
 }
 
 impl Plan {
+    /// The clamps of a set-up, from 1: as the part lies then.
+    pub const fn clamping_of(&self, set_up: u32) -> Option<&Clamping> {
+        match set_up {
+            1 => self.clamping.as_ref(),
+            _ => self.setup.second_clamping.as_ref(),
+        }
+    }
+
     /// Whether something is wrong: a hole that cannot be made, a limit exceeded.
     pub fn has_errors(&self) -> bool {
         self.findings.iter().any(|finding| finding.severity <= Severity::Wrong)

@@ -8,7 +8,7 @@ use crate::part::{Face, Outline, Part, Point, Standing};
 use crate::tables::rules::{FixtureKind, HeldBy, PartLocating, TableKeying};
 use crate::units::{Micrometres, NewtonMetres, Newtons};
 
-use super::{Chain, PartZero};
+use super::{Chain, Clamping, PartZero};
 
 /// How the part is set up.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -19,6 +19,10 @@ pub struct Setup {
     /// The vice, where straps find no place on the face; without one the part lies on the table, or on what the file says.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vice: Option<Vice>,
+    /// The clamps of the second set-up, in which the part lies turned over: places as it lies then. Absent where nothing is cut there,
+    /// the file gives what stands there, or no straps find a place.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub second_clamping: Option<Clamping>,
     /// The fixture of the shop's own that the file names, and what it must hold.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub own: Option<OwnFixture>,

@@ -27,10 +27,11 @@ use crate::knowledge::Knowledge;
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Clamping, CuttingMethod, Feature, Operation, Plan, Preference, Route, Setup, Times};
+use crate::plan::{Clamping, CuttingMethod, Feature, HolePlan, Operation, Plan, Preference, Route, Setup, Times};
 use crate::route::Remark;
 use crate::shop::Shop;
 use crate::tables::cutting::Process;
+use crate::tables::materials::ClampScrew;
 use crate::units::round_to;
 use crate::{sequence, setup, tooling, zone};
 
@@ -128,10 +129,17 @@ pub fn plan_by(
     }
     let (holes, tools) = magazine::number_tools(part, drafts, &shop, &mut findings);
 
-    let (clamping, mut of_clamping) = setup::clamping(part, &holes, &shop)?;
+    let entry: Vec<HolePlan> = holes.iter().map(|plan| setup::of_face(plan, Face::Entry)).collect();
+    let (clamping, mut of_clamping) = setup::clamping(part, &entry, &shop)?;
     let vice = setup::vice_instead(part, &holes, &mut of_clamping, &shop)?;
-    findings.extend(clamping.iter().flat_map(|clamping| start_point(part, clamping, &shop)));
+    if let Some(clamping) = &clamping {
+        findings.extend(start_point(part, clamping, &shop)?);
+    }
     findings.extend(of_clamping);
+    // A vice holds the part in both set-ups.
+    let second = if vice.is_none() { setup::second_clamping(part, &holes, &shop)? } else { (None, Vec::new()) };
+    let (second_clamping, of_second) = second;
+    findings.extend(of_second);
     let held = setup::held_by(part, vice.as_ref(), clamping.as_ref());
     let setup::Chains { zeros, chains, findings: of_chains } = setup::chains(part, &holes, held, &shop)?;
     findings.extend(of_chains);
@@ -152,7 +160,7 @@ pub fn plan_by(
         holes,
         tools,
         clamping,
-        setup: Setup { vice, own, zeros, chains, ..Setup::default() },
+        setup: Setup { vice, second_clamping, own, zeros, chains, ..Setup::default() },
         sequence: visits,
         visiting,
         time: Times::default(),
@@ -305,15 +313,21 @@ fn route(choice: &Choice, options: &Options, compared: ComparedRoutes) -> Route 
 }
 
 /// Checks the tool-change position against the safe distance from the screw of a clamp (textbook 1.11).
-fn start_point(part: &Part, clamping: &Clamping, shop: &Shop<'_>) -> Option<Finding> {
+fn start_point(part: &Part, clamping: &Clamping, shop: &Shop<'_>) -> Result<Option<Finding>, KnowledgeError> {
     let start = sequence::tool_change_point(part, &shop.machine);
-    let nearest = start.to_nearest(&clamping.clamps)?;
-    (nearest < clamping.safe_distance_mm).then(|| {
-        let note = Note::new("start-near-clamp")
-            .with("distance", round_to(nearest.to_mm(), 2))
-            .with("needed", clamping.safe_distance_mm);
+    let screws: Vec<ClampScrew<'_>> = shop.knowledge.rows()?;
+    // Each clamp of the file may have a screw of its own.
+    let needed = |index: usize| {
+        let own = part.fixture.clamps.get(index).and_then(|clamp| clamp.screw.as_deref());
+        let own = screws.iter().find(|screw| Some(screw.thread) == own);
+        own.map_or(clamping.safe_distance_mm, |screw| screw.safe_distance)
+    };
+    let near = clamping.clamps.iter().enumerate().map(|(index, at)| (start.distance(*at), needed(index)));
+    let near = near.filter(|(distance, needed)| distance < needed).min_by_key(|(distance, needed)| *distance - *needed);
+    Ok(near.map(|(distance, needed)| {
+        let note = Note::new("start-near-clamp").with("distance", round_to(distance.to_mm(), 2)).with("needed", needed);
         Finding::of_part(Severity::Note, note)
-    })
+    }))
 }
 
 /// Adds a note for every row under the plan that is not fully trusted, once each.
@@ -345,7 +359,7 @@ fn unconfirmed(plan: &mut Plan) {
     for visiting in &plan.visiting {
         look(&visiting.because, Some(&visiting.hole));
     }
-    if let Some(clamping) = &plan.clamping {
+    for clamping in plan.clamping.iter().chain(&plan.setup.second_clamping) {
         look(&clamping.because, None);
     }
     if let Some(vice) = &plan.setup.vice {

@@ -83,8 +83,8 @@ fn overlap(part: &Part, foot: Micrometres) -> Option<Note> {
     let overlapping = pairs.filter(|(one, two)| one.outline(foot).overlaps(&two.outline(foot)));
     let (one, two) = overlapping.min_by_key(|(one, two)| one.at.distance(two.at))?;
     if one.outline.or(two.outline).is_some() {
-        let shown = |at: Point| format!("[{}; {}]", at.x, at.y);
-        return Some(Note::new("clamp-outlines-overlap").with("one", shown(one.at)).with("other", shown(two.at)));
+        let note = Note::new("clamp-outlines-overlap").with("one", one.at.shown());
+        return Some(note.with("other", two.at.shown()));
     }
     Some(Note::new("clamps-overlap").with("distance", one.at.distance(two.at)).with("least", foot + foot))
 }

@@ -166,7 +166,7 @@ impl InVice<'_, '_> {
             return Ok(None);
         }
         let room = if below > Micrometres::ZERO { below + limits.room_below } else { Micrometres::ZERO };
-        let mut standing = self.parallels.iter().filter(|one| one.height >= room && fits(one.height));
+        let standing = self.parallels.iter().filter(|one| one.height >= room && fits(one.height));
         let note = || {
             let note = match self.part.fixture.height {
                 Some(height) => Note::new("vice-not-that-high").with("height", height).with("ways", row.bed_height),
@@ -174,11 +174,11 @@ impl InVice<'_, '_> {
                 None => Note::new("vice-no-grip")
                     .with("thickness", thickness)
                     .with("below_face", limits.below_face)
-                    .with("parallels", room.max(self.parallels.first().map(|one| one.height).unwrap_or_default())),
+                    .with("parallels", room.max(self.parallels.iter().map(|one| one.height).min().unwrap_or_default())),
             };
             note.with("jaws", row.jaw_height).with("below", below).with("least", least).with("most", most)
         };
-        let lowest = standing.next().ok_or_else(note)?;
+        let lowest = standing.min_by_key(|one| one.height).ok_or_else(note)?;
         match self.room_beside(jaws, lowest.length) {
             Some(beside) if beside >= lowest.thinnest => Ok(Some((lowest, beside))),
             beside => {

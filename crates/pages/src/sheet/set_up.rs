@@ -51,11 +51,14 @@ fn on_table(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
     };
     let supports = lang.say(&Note::new(key).with("setup", stand.set_up).with("height", stand.height_mm));
     let lies = lang.say(&lies(stand));
-    let held = match &plan.clamping {
-        _ if stand.face == Face::Back && plan.setup.own.is_none() => {
+    let held = match plan.clamping_of(stand.set_up) {
+        None if stand.face == Face::Back && plan.setup.own.is_none() => {
             say!(lang, "setting-clamps-of-second", setup = stand.set_up).to_owned()
         }
-        Some(clamping) => clamps(clamping, &plan.part, lang),
+        Some(clamping) => {
+            let turned = (stand.face == Face::Back).then(|| lang.word("plan-clamps-turned").to_owned());
+            [Some(clamps(clamping, &plan.part, lang)), turned].into_iter().flatten().collect::<Vec<_>>().join(" ")
+        }
         None if plan.setup.own.is_some() => plan.setup.own.iter().map(|own| own_fixture(own, lang)).collect(),
         None => lang.word("plan-no-clamping").to_owned(),
     };

@@ -127,6 +127,7 @@ plan-keying-cross-elements = On the table: by its cross slot or central hole (1.
 plan-locating-three-planes = The part: by three planes, the one it lies on and two sides (1.9).
 plan-locating-two-planes-and-hole = The part: by two planes and a hole (1.9).
 plan-locating-plane-and-two-holes = The part: by a plane and two fine holes, the most accurate way (1.9).
+plan-clamps-turned = X is counted as the part lies now: the other way than in the drawing.
 plan-keying-play = It costs up to { $play } mm of play*.
 plan-locating-error = It costs { $least } to { $most } mm from part to part*.
 plan-fixture-special-own = A fixture of your own (1.6).

@@ -30,6 +30,7 @@ setting-stand = set-up { $setup }: the part on supports of { $supports } mm; { $
 setting-mark = * rests on a row of a table that nothing confirms; `technolog plan … --all-problems` says why
 setting-lengths = lengths H are sums from catalogs: measure each assembly and key in the length found
 setting-clamps-of-second = set-up { $setup }: the places of the clamps are to be chosen anew, the plan has those of the first set-up only
+setting-of-set-up = set-up { $setup }: { $clamps }
 setting-tool = T{ $place } H{ $corrector }: { $designation }, Ø{ $diameter }, length { $length } mm
 setting-length = Assembly length
 setting-place = Place

@@ -116,6 +116,7 @@ plan-keying-cross-elements = На столі: за поперечним пазо
 plan-locating-three-planes = Деталь: на трьох площинах – тій, на якій лежить, і двох бокових (1.9).
 plan-locating-two-planes-and-hole = Деталь: на двох площинах і отворі (1.9).
 plan-locating-plane-and-two-holes = Деталь: на площині й двох класних отворах, найточніше (1.9).
+plan-clamps-turned = X рахують, як деталь лежить тепер: навпаки, ніж на кресленні.
 plan-keying-play = Це коштує до { $play } мм зазору*.
 plan-locating-error = Це коштує від { $least } до { $most } мм від деталі до деталі*.
 plan-fixture-special-own = Власне пристосування (1.6).

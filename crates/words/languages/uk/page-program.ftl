@@ -30,6 +30,7 @@ setting-stand = установ { $setup }: деталь на опорах { $sup
 setting-mark = * – спирається на рядок таблиці, якого ніщо не підтверджує; чому – каже `technolog plan … --all-problems`
 setting-lengths = довжини H – суми з каталогів: кожен комплект виміряти й набрати виміряну довжину
 setting-clamps-of-second = установ { $setup }: місця притискачів вибрати наново, у плані вони лише для першого установа
+setting-of-set-up = установ { $setup }: { $clamps }
 setting-tool = T{ $place } H{ $corrector }: { $designation }, Ø{ $diameter }, довжина { $length } мм
 setting-length = Довжина комплекту
 setting-place = Гніздо
