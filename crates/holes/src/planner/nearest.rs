@@ -57,7 +57,8 @@ pub(super) fn machine(
         let shop = Shop::new(&part, shop.method, shop.knowledge)?;
         let drills = tooling::drill_sizes(&shop)?;
         let found = Refusal::split(options::options(hole, &part, preference, (&[], &drills), &shop))?;
-        if found.is_ok_and(|found| found.choices.iter().any(Choice::meets_requirements) && found.impossible.is_empty()) {
+        if found.is_ok_and(|found| found.choices.iter().any(Choice::meets_requirements) && found.impossible.is_empty())
+        {
             return Ok(Some(Note::new("nearest-machine").with("machine", Figure::word_of("machine", id.to_owned()))));
         }
     }
