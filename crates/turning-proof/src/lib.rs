@@ -48,7 +48,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub use fault::Fault;
 pub use refused::Refused;
 pub use set_up::{
-    Body, Indexed, IndexedNear, Limits, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Size, TapLimits, Thread,
+    Body, Indexed, IndexedNear, Limits, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Size,
+    TapLimits, Thread,
 };
 pub use stock::Stock;
 pub use tool::{Cutter, Hand, Holder, Side, Tool};

@@ -36,10 +36,8 @@ pub(super) fn turned_near(
         let beside = work.jobs.get(*tool).and_then(across);
         let beyond = |(reach, job)| beside.map(|beside: f64| (reach - beside - distance.0, job));
         let reaching: Option<(f64, &Job)> = longest.and_then(beyond).filter(|(into, _)| *into > 0.0);
-        let question = AuditTurretClearFor {
-            distance: Micrometres::from_mm_rounded(distance.0),
-            reaches_in: reaching.is_some(),
-        };
+        let question =
+            AuditTurretClearFor { distance: Micrometres::from_mm_rounded(distance.0), reaches_in: reaching.is_some() };
         let severity = knowledge.ask(&question)?.need("distance")?.severity;
         if severity == Severity::Note {
             continue;
