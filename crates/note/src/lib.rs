@@ -7,7 +7,7 @@
 mod figure;
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use schemars::JsonSchema;
@@ -152,25 +152,23 @@ impl Note {
         self
     }
 
-    /// Merges another note that differs only in the figures of these names: each becomes a list of both. Returns
-    /// whether it did.
-    pub fn join(&mut self, other: &Self, listed: &[&str]) -> bool {
-        let unlisted = |(name, _): &(&str, &Figure)| !listed.contains(name);
-        let alike = self.params.iter().filter(unlisted).eq(other.params.iter().filter(unlisted));
-        if self.code != other.code || !alike {
-            return false;
-        }
+    /// Merges notes that differ only in the figures of these names: each becomes a list of all, each figure once.
+    pub fn join(&mut self, others: &[Self], listed: &[&str]) {
         for name in listed {
-            let (Ok(at), Some(new)) = (self.params.at(name), other.params.get(name)) else { continue };
+            let Ok(at) = self.params.at(name) else { continue };
             let known = &mut self.params.0[at].1;
-            match known {
-                Figure::List(parts, ", ") if parts.contains(new) => {}
-                Figure::List(parts, ", ") => parts.push(new.clone()),
-                one if one == new => {}
-                one => *one = Figure::list([one.clone(), new.clone()]),
+            let mut parts = match &*known {
+                Figure::List(parts, ", ") => parts.clone(),
+                one => vec![one.clone()],
+            };
+            let before = parts.len();
+            let mut seen: BTreeSet<String> = parts.iter().map(|part| part.text().into_owned()).collect();
+            let others = others.iter().filter_map(|other| other.params.get(name));
+            parts.extend(others.filter(|part| seen.insert(part.text().into_owned())).cloned());
+            if parts.len() > before {
+                *known = Figure::list(parts);
             }
         }
-        true
     }
 
     /// The order of findings of one code: by their tables, then by rows.

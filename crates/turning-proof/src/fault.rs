@@ -1,5 +1,7 @@
 //! Faults of a program, as types; each makes its own note.
 
+use std::collections::BTreeMap;
+
 use crate::note::{Figure, Note};
 use crate::set_up::{MotionKind, Size};
 use crate::units::{At, Block, Mm};
@@ -343,6 +345,29 @@ impl Fault {
         }
     }
 
+    /// The surface by which it is merged with others; none of what is told of a tool.
+    const fn surface(&self) -> Option<&Figure> {
+        match self {
+            Self::Gouge { surface, .. }
+            | Self::Stands { surface, .. }
+            | Self::OffSize { surface, .. }
+            | Self::Corner { surface, .. }
+            | Self::ThreadShallow { surface, .. }
+            | Self::ThreadPart { surface, .. }
+            | Self::ThreadLead { surface, .. }
+            | Self::ThreadPhase { surface, .. }
+            | Self::TapHoleWide { surface, .. }
+            | Self::ThreadShort { surface, .. } => surface.as_ref(),
+            Self::RapidCut { .. }
+            | Self::Holder { .. }
+            | Self::Struck { .. }
+            | Self::OffAxis { .. }
+            | Self::Buried { .. }
+            | Self::TapBlocked { .. }
+            | Self::TapOutOfStep { .. } => None,
+        }
+    }
+
     /// Merges another fault of the same kind, surface, tool and body; false if it differs.
     fn take(&mut self, other: &Self) -> bool {
         let worse = match (&*self, other) {
@@ -458,21 +483,28 @@ impl Fault {
 
 /// Faults, merged by kind and surface, tool or body.
 #[derive(Clone, Debug, Default)]
-pub struct Faults(Vec<Fault>);
+pub struct Faults {
+    all: Vec<Fault>,
+    /// Where those of a surface stand, and those of none: only these may be merged.
+    of: BTreeMap<Option<Figure>, Vec<usize>>,
+}
 
 impl Faults {
     pub fn add(&mut self, fault: Fault) {
-        if !self.0.iter_mut().any(|known| known.take(&fault)) {
-            self.0.push(fault);
+        let places = self.of.entry(fault.surface().cloned()).or_default();
+        if !places.iter().any(|place| self.all[*place].take(&fault)) {
+            places.push(self.all.len());
+            self.all.push(fault);
         }
     }
 
     /// Leaves out the faults that are told by another one.
     pub fn without(&mut self, told: impl Fn(&Fault) -> bool) {
-        self.0.retain(|fault| !told(fault));
+        let left: Vec<Fault> = std::mem::take(self).all.into_iter().filter(|fault| !told(fault)).collect();
+        left.into_iter().for_each(|fault| self.add(fault));
     }
 
     pub fn all(self) -> Vec<Fault> {
-        self.0
+        self.all
     }
 }

@@ -68,6 +68,7 @@ vocabulary! {
         PartDeflection = "part-deflection",
         /// The permitted deflection in finishing, divided by the tolerance of the diameter.
         PartDeflectionShare = "part-deflection-share",
+        /// The same, as far as a second pass at the same setting still mends it.
         PartDeflectionMost = "part-deflection-most",
         /// Bending stress of a part, divided by its strength.
         PartStressShare = "part-stress-share",

@@ -195,18 +195,18 @@ impl HeldPart {
 
     /// The sections, divided at a place and at the rest.
     fn stretches(&self, place: f64) -> Vec<(f64, f64, &PartSection)> {
-        let mut stretches = Vec::new();
+        let mut stretches = Vec::with_capacity(self.sections.len() + 2);
+        let mut cuts: Vec<f64> = [Some(place), self.rest].into_iter().flatten().collect();
+        cuts.sort_by(f64::total_cmp);
         for section in &self.sections {
-            let (from, to) = (section.from.to_mm(), section.to.to_mm());
-            let mut ends: Vec<f64> =
-                [Some(place), self.rest].into_iter().flatten().filter(|at| from < *at && *at < to).collect();
-            ends.sort_by(f64::total_cmp);
-            ends.push(to);
-            let mut begin = from;
-            for end in ends {
-                stretches.push((begin, end, section));
-                begin = end;
+            let (mut from, to) = (section.from.to_mm(), section.to.to_mm());
+            for &cut in &cuts {
+                if from < cut && cut < to {
+                    stretches.push((from, cut, section));
+                    from = cut;
+                }
             }
+            stretches.push((from, to, section));
         }
         stretches
     }

@@ -149,7 +149,8 @@ fn sensible(cut: &TurningCut<'_, '_>, stock: Half) -> Tried<(LimitingDepth, Half
     let mut best: Option<(f64, (LimitingDepth, Half))> = None;
     for passes in 1..=MOST_PASSES {
         let depth = stock.part(passes);
-        if depth < least {
+        // One division may be a little shallower: between the two no pass may be borne.
+        if passes > 1 && stock.part(passes - 1) < least {
             break;
         }
         let whole = depth.rounded_up();
@@ -290,9 +291,10 @@ pub fn found(
             findings.extend(conditions.findings());
             let exceeded = exceeded(&conditions);
             let of_tool = |code| Note::new(code).with("tool", task.tool.designation).with("depth", depth);
+            let is_short = bench.held.as_ref().map_or(Ok(false), |held| held.is_short(bench.knowledge))?;
             match (&exceeded[..], conditions.gives_way) {
                 ([], _) => {}
-                ([Bound::PartStiffness], Some(share)) => {
+                ([Bound::PartStiffness], Some(share)) if is_short => {
                     let note = of_tool("part-gives-way").with("percent", round_to(100.0 * share, 0));
                     findings.push(Finding::of_part(Severity::Doubtful, note));
                 }

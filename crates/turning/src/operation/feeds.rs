@@ -82,8 +82,17 @@ fn on_cylinder(point: Point, piece: Piece) -> bool {
 /// The feed of the surface that the nose touches in the middle of a move.
 fn touched(piece: Piece, feeds: &[OwnFeed<'_>], nose: Nose) -> Option<MillimetresPerRev> {
     let centre = middle(piece).minus(nose.tip.of(nose.radius));
-    let near =
-        |one: &OwnFeed<'_>| one.pieces.iter().map(|piece| distance(centre, *piece)).fold(f64::INFINITY, f64::min);
+    let beside = |piece: &Piece| {
+        let [one, other] = [piece.from, piece.to].map(|end| end.z.to_mm());
+        (one.min(other) - centre.z).max(centre.z - one.max(other))
+    };
+    // What lies farther off along the axis alone is no nearer.
+    let near = |one: &OwnFeed<'_>| {
+        let nearer = |least: f64, piece: &Piece| {
+            if beside(piece) > least { least } else { least.min(distance(centre, *piece)) }
+        };
+        one.pieces.iter().fold(f64::INFINITY, nearer)
+    };
     let distances: Vec<(f64, MillimetresPerRev)> = feeds.iter().map(|one| (near(one), one.feed)).collect();
     let least = distances.iter().map(|(distance, _)| *distance).fold(f64::INFINITY, f64::min);
     let touching = distances.into_iter().filter(|(distance, _)| *distance <= least + SAME).map(|(_, feed)| feed);

@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::material::Material;
 use crate::note::{Because, Figure, Finding, Note, Severity};
-use crate::tables::turning::part::{PartSupport, TurningSupportFor};
+use crate::tables::turning::part::{PartSupport, SupportAsked, TurningSupportFor};
 use crate::turning::contour::Contour;
 use crate::turning::cutting::{Flexibility, HeldPart, PartSection};
 use crate::turning::length::Half;
@@ -99,6 +99,16 @@ impl Held {
             .with("ask", Figure::word(ask.name()));
         let because = Because::answer(&asked.answer, note.clone());
         Ok((Finding::of_part(Severity::Wrong, note), because))
+    }
+
+    /// Whether the part is short for its thickness, by the same rule: no support would make it stiffer.
+    ///
+    /// # Errors
+    /// The knowledge base lacks the rule, or a row of it.
+    pub fn is_short(&self, knowledge: &Knowledge) -> Result<bool, KnowledgeError> {
+        let (support, slenderness) = (self.part.support(), crate::units::round_to(self.part.slenderness(), 1));
+        let asked = knowledge.ask(&TurningSupportFor { support, slenderness })?;
+        Ok(asked.need(support.name())?.ask == SupportAsked::SecondSetUp)
     }
 }
 

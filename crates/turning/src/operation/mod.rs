@@ -54,6 +54,8 @@ pub mod turret;
 mod unfinished;
 pub mod work;
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use crate::error::{KnowledgeError, Refusal};
@@ -493,12 +495,19 @@ const LISTED: [&str; 3] = ["surface", "row", "z"];
 
 /// Each finding once, in the order of the first. Findings that differ only in a surface or a row are merged.
 fn merged(findings: Vec<Finding>) -> Vec<Finding> {
-    let mut kept: Vec<Finding> = Vec::new();
+    let mut kept: Vec<(Finding, Vec<Note>)> = Vec::new();
+    let mut places = BTreeMap::new();
     for finding in findings {
-        let mut alike = kept.iter_mut().filter(|other| other.severity == finding.severity);
-        if !alike.any(|other| other.note.join(&finding.note, &LISTED)) {
-            kept.push(finding);
+        let alike = LISTED.iter().fold(finding.note.clone(), |note, name| note.without(name));
+        let place = *places.entry((finding.severity, alike)).or_insert(kept.len());
+        match kept.get_mut(place) {
+            Some((_, others)) => others.push(finding.note),
+            None => kept.push((finding, Vec::new())),
         }
     }
-    kept
+    let joined = |(mut finding, others): (Finding, Vec<Note>)| {
+        finding.note.join(&others, &LISTED);
+        finding
+    };
+    kept.into_iter().map(joined).collect()
 }
