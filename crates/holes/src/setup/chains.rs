@@ -192,7 +192,7 @@ impl Measured<'_, '_> {
         match from {
             Base::Side(side) => {
                 terms.push(ChainError::Axis, field);
-                self.from_side(hole, face, *side, axis, &mut terms);
+                self.of_side(hole, face, *side, axis, &mut terms);
             }
             Base::Hole(base) => {
                 let (other, other_face) = self.axis(base)?;
@@ -204,8 +204,8 @@ impl Measured<'_, '_> {
                     terms.push(ChainError::OtherAxis, other);
                     // The holes meet by the side that the first of the two zeros is found at.
                     let side = of_base.side(axis);
-                    self.from_side(hole, face, side, axis, &mut terms);
-                    self.from_side(base, other_face, side, axis, &mut terms);
+                    self.of_side(hole, face, side, axis, &mut terms);
+                    self.of_side(base, other_face, side, axis, &mut terms);
                 }
             }
         }
@@ -224,7 +224,7 @@ impl Measured<'_, '_> {
     }
 
     /// What errs between a side and the axes of the machine where a hole is made.
-    fn from_side(&self, hole: &str, face: Face, side: Side, axis: Along, terms: &mut Terms) {
+    fn of_side(&self, hole: &str, face: Face, side: Side, axis: Along, terms: &mut Terms) {
         let zero = self.zero(hole, face);
         terms.row(ChainError::Touch, &self.errors.touch, self.errors.touch.most);
         // Every other zero is found at each part anew.
