@@ -101,6 +101,7 @@ fn the_pages_say_the_bounds() {
         ("too-many-steps", limits::MOST_STEPS),
         ("too-many-clamps", limits::MOST_CLAMPS),
         ("too-many-obstacles", limits::MOST_OBSTACLES),
+        ("too-many-dimensions", limits::MOST_DIMENSIONS),
         ("too-many-points", list::MOST_POINTS),
         ("too-many-rows", MOST_ROWS),
         ("too-many-tools", MOST_TOOLS),
