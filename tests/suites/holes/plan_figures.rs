@@ -285,29 +285,29 @@ fn stepped() -> Workpiece {
     }
 }
 
-/// Between centres, where no jaws bound the depth: the bar Ø65 over Ø36.014: the stock of (65 - 36.014)/2 = 14.493 mm is two passes. The edge of the insert bears 7.8
-/// mm, the least of the bounds at 0.5 mm/rev: that is the limit, and 14.493/7.8 = 1.86 is two passes as well. The first
-/// work takes 1.95 mm to Ø61.1; over it the second is calculated there: n = 400, V = π·61.1·400/1000 = 76.8 m/min, not
-/// 81.7 of Ø65.
+/// Between centres, where no jaws bound the depth: the bar Ø65 over Ø36.014. At 0.5 mm/rev and 560 1/min (114.35 m/min) Pz is 824.5 N
+/// for a millimetre, so that 8.25 kW bear 8.25·60000/(824.5·114.35) = 5.25 mm, the least of the bounds: that is the limit, and the
+/// stock of (65 - 36.014)/2 = 14.493 mm is three passes. The first work takes 1.95 mm to Ø61.1; over it the second is calculated
+/// there: n = 560, V = π·61.1·560/1000 = 107.49 m/min, not that of Ø65.
 #[test]
 fn the_limit_is_what_a_pass_may_take_and_each_work_is_reckoned_where_it_begins() {
     let found = turned(&stepped(), &KNOWLEDGE).unwrap();
     let (.., zone) = found.zones().find(|(.., zone)| zone.works.len() == 2).unwrap();
     let depth = zone.depth.as_ref().unwrap();
     let least = depth.limit.as_ref().unwrap().bounds.iter().filter_map(|bound| bound.depth_mm).min().unwrap();
-    assert_eq!(least, Micrometres::from_mm_rounded(7.8));
+    assert_eq!(least, Micrometres::from_mm_rounded(5.2));
     assert_eq!(depth.limiting_depth_mm.diameter(), least + least);
     let [first, second] = &zone.works[..] else { panic!("{} works", zone.works.len()) };
     near(first.levels.depth.to_mm(), 1.95);
     let conditions = second.pace.conditions.as_ref().unwrap();
-    near(conditions.spindle_rpm.0, 400.0);
-    assert!((conditions.speed_m_per_min.0 - 76.78).abs() < 0.05, "{}", conditions.speed_m_per_min.0);
+    near(conditions.spindle_rpm.0, 560.0);
+    assert!((conditions.speed_m_per_min.0 - 107.49).abs() < 0.05, "{}", conditions.speed_m_per_min.0);
     // N = Pz·V/60000 of that speed.
     let force = conditions.main_force_n.unwrap().0;
-    near(conditions.power_kw.unwrap().0, force * 76.78 / 60_000.0);
+    near(conditions.power_kw.unwrap().0, force * 107.49 / 60_000.0);
     // Every stand takes the fewest passes that the limit allows.
     for stand in second.levels.sections.iter().flat_map(|section| &section.stocks) {
-        assert_eq!(stand.passes, (stand.stock.to_mm() / 7.8).ceil() as i64, "{stand:?}");
+        assert_eq!(stand.passes, (stand.stock.to_mm() / 5.2).ceil() as i64, "{stand:?}");
     }
 }
 
