@@ -115,9 +115,9 @@ pub fn endings(formats: &[Format]) -> String {
 /// Extensions of formats that no command writes, or only few: of the others such a file would contain text.
 const OTHERS: &[&str] = &[
     ".pdf", ".ps", ".eps", ".doc", ".docx", ".odt", ".rtf", ".tex", ".epub", ".xls", ".xlsx", ".xlsm", ".ods", ".tsv",
-    ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg", ".step", ".stp",
-    ".iges", ".igs", ".stl", ".cdw", ".frw", ".spw", ".zip", ".gz", ".7z", ".rar", ".tar", ".toml", ".ini", ".js",
-    ".py", ".sqlite", ".db", ".exe",
+    ".ppt", ".pptx", ".odp", ".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ico", ".dxf", ".dwg",
+    ".step", ".stp", ".iges", ".igs", ".stl", ".cdw", ".frw", ".spw", ".zip", ".gz", ".7z", ".rar", ".tar", ".toml",
+    ".ini", ".js", ".py", ".sqlite", ".db", ".exe",
 ];
 
 /// Extensions of programs of controls and of their tool tables.
