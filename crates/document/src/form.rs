@@ -70,10 +70,13 @@ impl FormCell {
     }
 }
 
+/// The cells of a row, each with the number of columns that it takes.
+pub type CellsOfRow<'f> = Vec<(&'f FormCell, usize)>;
+
 impl Form {
     /// The widths of the columns that divide all rows alike, in steps, and for each row its cells with the number of
     /// those columns that each takes.
-    pub fn columns(&self) -> (Vec<u16>, Vec<Vec<(&FormCell, usize)>>) {
+    pub fn columns(&self) -> (Vec<u16>, Vec<CellsOfRow<'_>>) {
         let placed = self.placed();
         let mut rules: Vec<u16> =
             placed.iter().flatten().flat_map(|(left, cell)| [*left, left + cell.width]).chain([0]).collect();

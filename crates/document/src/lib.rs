@@ -21,7 +21,7 @@ mod words;
 
 pub use clean::{line as cleaned, lines as cleaned_lines};
 pub use decimal::{Decimal, NotDecimal};
-pub use form::{CellKind, FORM_WIDTH, Form, FormCell, FormRow};
+pub use form::{CellKind, CellsOfRow, FORM_WIDTH, Form, FormCell, FormRow};
 pub use format::{Contradiction, Format, agreed};
 pub use html::html;
 pub use inline::{Inline, Inlines};
