@@ -53,9 +53,8 @@ const P: [(u16, &str); 9] = [
 pub(in super::super) fn card(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Document {
     let mut head = names(lang, &P);
     head.cells.insert(0, super::name(5, "Р"));
-    let mm = lang.word("unit-mm");
-    let of_feed = [lang.word("unit-mm-rev"), lang.word("unit-1-min"), lang.word("unit-m-min")];
-    let units = ["", "", mm, mm, mm, "–"].into_iter().chain(of_feed);
+    let [mm, feed, speed, cutting] = ["unit-mm", "unit-mm-rev", "unit-1-min", "unit-m-min"].map(|unit| lang.word(unit));
+    let units = ["", "", mm, mm, mm, "–", feed, speed, cutting];
     let cells = std::iter::once(super::name(5, ""))
         .chain(P.iter().zip(units).map(|((width, _), unit)| super::name(*width, unit)));
     let units = FormRow { lines: 1, cells: cells.collect() };
