@@ -126,7 +126,7 @@ fn how_to_check() {
 
 #[test]
 fn a_tool_table() {
-    recipe("A tool table", "ГОСТ 886-77 Ø20");
+    recipe("A tool table", "ГОСТ 886-77 Ø22");
 }
 
 #[test]

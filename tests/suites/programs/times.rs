@@ -32,7 +32,8 @@ fn part(number: usize) -> String {
     text
 }
 
-/// Within 2 % in the middle and never more than 5 % off: programs round feeds down to whole millimetres a minute.
+/// Within 2 % in the middle and never more than 7 % off: programs round feeds down to whole millimetres a minute, and LinuxCNC's
+/// cycles feed taps and reamers out to the level of travel.
 #[test]
 fn a_plan_takes_as_long_as_its_program() {
     let control = Language::read("linuxcnc", &KNOWLEDGE).unwrap();
@@ -51,7 +52,7 @@ fn a_plan_takes_as_long_as_its_program() {
         control.check(&text, &bench.machine, &bench.setting, &mut sink);
         let time = bench.plan.time;
         let ratio = (time.total_min.0 - time.hand_min.0) / sink.1.times().total_min.0;
-        assert!((ratio - 1.0).abs() < 0.05, "{ratio}: {time:?}, {:?}\n{}", sink.1.times(), part(number));
+        assert!((ratio - 1.0).abs() < 0.07, "{ratio}: {time:?}, {:?}\n{}", sink.1.times(), part(number));
         ratios.push(ratio);
     }
     ratios.sort_by(f64::total_cmp);
