@@ -2,8 +2,6 @@
 //!
 //! What the cells mean is told by who asks. A place is row and column as the editor of tables counts them, from one.
 
-#![cfg_attr(not(test), warn(clippy::arithmetic_side_effects))]
-
 mod separated;
 mod workbook;
 
