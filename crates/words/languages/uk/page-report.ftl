@@ -101,15 +101,15 @@ lab-clamping-arm = d = { $distance }
 lab-clamping-force = Q = { $force } Н на кожному
 lab-clamping-torque = M = { $torque } Н·м
 lab-clamping-side = P = { $side } Н
-lab-assemblies = Інструментальні комплекти: довжина допоміжного інструмента, виліт, довжина комплекту Lк; мм
-lab-assembly-holder = lопр { $length }
+lab-assemblies = Інструментальні комплекти: довжина допоміжного інструмента, виліт, довжина комплекту; мм
+lab-assembly-holder = l{"опр"} { $length }
 lab-assembly-overhang = виліт { $length }
-lab-assembly-length = Lк { $length }
+lab-assembly-length = L{"к"} { $length }
 lab-assembly-offset = корекція { $offset }
 lab-zone = Робоча зона: стіл, опори, деталь і найдовший інструмент T{ $tool } над нулем деталі, повзун угорі; мм
 lab-zone-table = стіл { $length }
 lab-zone-nose = торець шпинделя – стіл { $height }
-lab-zone-tool = Lк { $length }
+lab-zone-tool = L{"к"} { $length }
 lab-zone-part = деталь { $height }
 lab-zone-supports = опори { $height }
 lab-zone-vice = лещата { $height }
