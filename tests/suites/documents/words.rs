@@ -43,6 +43,9 @@ const NO_SENTENCES: &[&str] = &[
     // A form of the standard, by its own name.
     "ГОСТ 3.1404-86, форма 5а",
     "ГОСТ",
+    "ОСТ",
+    "ДСТУ",
+    "ТУ",
     // A unit as users write it.
     "мм",
 ];
