@@ -50,6 +50,9 @@ const NO_SENTENCES: &[&str] = &[
     "МК",
     "ОК",
     "ГОСТ",
+    "ОСТ",
+    "ДСТУ",
+    "ТУ",
     // A unit as users write it.
     "мм",
 ];
