@@ -98,7 +98,11 @@ fn formats(command: &str, lang: Lang) -> String {
         "turn" => each(turn::shown()),
         "program" => each(program::shown()),
         "report" => one(report::FORMATS),
-        "audit" => one(audit::FORMATS),
+        "audit" => {
+            let more: Vec<Format> =
+                audit::FOLDER_FORMATS.iter().filter(|one| !audit::FORMATS.contains(one)).copied().collect();
+            say!(lang, "help-formats-of-folder", formats = names(audit::FORMATS), more = names(&more))
+        }
         "table" => one(table::FORMATS),
         "lookup" => one(lookup::FORMATS),
         "check" => one(check::FORMATS),
@@ -182,7 +186,7 @@ mod tests {
                 let expected = match inner.get_name() {
                     "program" => (true, true),
                     "order" | "turn" | "check" => (true, false),
-                    "table" => (false, true),
+                    "table" | "plan" | "audit" => (false, true),
                     _ => (false, false),
                 };
                 assert_eq!((svg, csv), expected, "{}: {help}", inner.get_name());

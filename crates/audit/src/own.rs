@@ -8,7 +8,7 @@ use serde::Deserialize;
 use crate::error::KnowledgeError;
 use crate::knowledge::yaml::{Node, NodeKind, Problems};
 use crate::knowledge::{Knowledge, Place};
-use crate::part::{Part, Point};
+use crate::part::{Face, Part, Point};
 use crate::plan::{CuttingMethod, Feature, Limit, Operation};
 
 use super::limits;
@@ -229,6 +229,7 @@ impl OwnPlanReader<'_> {
             ("also_diameter_mm", Quantity::Also),
         ];
         let feature = node.get("feature").and_then(Node::text);
+        let face = node.get("face").and_then(Node::text).and_then(|text| serde_yaml::from_str::<Face>(text).ok());
         let number_node = node.get("tool").and_then(|tool| tool.get("number"));
         let tool = number_node
             .and_then(|node| Some(StatedValue { value: node.text()?.parse().ok()?, place: node.place.clone() }));
@@ -239,7 +240,7 @@ impl OwnPlanReader<'_> {
             hole: None,
             feature: feature.and_then(|text| serde_yaml::from_str::<Feature>(text).ok()),
             step: node.get("step").and_then(Node::text).and_then(|text| text.parse().ok()),
-            setup: None,
+            setup: face.map(|face| if face == Face::Back { 2 } else { 1 }),
             elsewhere: node.get("elsewhere").and_then(Node::text) == Some("true"),
             tool: tool.filter(|tool: &StatedValue<u32>| tool.value > 0),
             scheme: None,

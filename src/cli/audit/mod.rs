@@ -32,6 +32,9 @@ pub struct Args {
 /// The formats of an audit and of a comparison.
 pub const FORMATS: &[Format] = &[Format::Text, Format::Json, Format::Yaml, Format::Markdown, Format::Html];
 
+/// The formats of the answer on a folder.
+pub const FOLDER_FORMATS: &[Format] = folder::FORMATS;
+
 /// Audits a plan or a folder of them.
 ///
 /// # Errors

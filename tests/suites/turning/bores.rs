@@ -82,10 +82,10 @@ fn the_bar_reaches_the_end_of_its_bore() {
     assert_eq!(drilled(30, "12Х18Н10Т"), ["16", "27"]);
 }
 
-/// The longest drill up to Ø30 of ГОСТ 10903-77 has flutes of 175; and of the bars that enter Ø56 none stands out more than 6·32 = 192.
+/// The longest drill up to Ø30 of ГОСТ 2092-77 has flutes of 275; and of the bars that enter Ø56 none stands out more than 6·32 = 192.
 #[test]
 fn a_bore_too_deep_says_what_is_too_short() {
-    assert!(wrong(&bushing("steel-45", 60, 0, 180)).contains(&"job-no-drill"));
+    assert!(wrong(&bushing("steel-45", 60, 0, 280)).contains(&"job-no-drill"));
     let tube = "shaft: Tube\nmaterial: steel-45\nblank: {kind: tube, diameter: 90, bore: 56, length: 300, face: 1}\n\
                 machine: 16k20f3\nouter:\n  - {from: {d: 60, z: 0}}\n  - {face: 84}\n  - {cylinder: -240}\n\
                 inner:\n  - {from: {d: 60, z: 0}}\n  - {cylinder: -240, grade: H8, roughness: Ra 3.2}\n";

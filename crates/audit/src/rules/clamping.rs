@@ -9,6 +9,7 @@ use super::super::context::Context;
 use super::super::figures::nature;
 use super::super::graph::{Graph, Judge, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::stated::Stated;
 use super::conditions::torque_of_power;
 use super::{equal_figures, fixed_figure, formula, largest};
 
@@ -39,13 +40,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     // Who states a side force holds the part against sliding: the torque is then that of the milling or boring.
     let slides = stated.figure(id(Q::SideForce)).is_some();
     if let Some(hole) = clamping.hole.as_ref().filter(|_| !slides) {
-        let here = stated.rows_of_hole(&hole.value).filter(|(_, row)| !row.elsewhere);
-        let of_hole = here.filter_map(|(row, _)| stated.conditions_of(row));
-        let torques: Vec<Id> = of_hole
-            .map(|at| Id::new(Scope::Conditions(at), Q::Torque))
-            .filter(|torque| stated.figure(*torque).is_some())
-            .collect();
-        graph.add(largest(&LARGEST, id(Q::Torque), torques));
+        graph.add(largest(&LARGEST, id(Q::Torque), torques_clamped(stated, &hole.value, id(Q::Torque))));
     }
     if let Some(distance) = context.clamped_hole().and_then(|hole| context.distance_to_clamp(hole)) {
         graph.add(fixed_figure(&DISTANCE, id(Q::Distance), distance.to_mm(), []));
@@ -93,6 +88,25 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     let each = |values: &[f64]| Some(values.first()? / values.get(1)?.max(1.0));
     graph.add(formula(&EACH, id(Q::ForcePerClamp), vec![id(Q::ClampForce), id(Q::Clamps)], "{0}/{1}", each));
     Ok(())
+}
+
+/// The torques of a group of holes that clamps bear: those of the first set-up, or of all set-ups where the largest of all is what is
+/// stated, because who clamps for it in the first one, too, is on the safe side.
+fn torques_clamped(stated: &Stated, hole: &str, clamped: Id) -> Vec<Id> {
+    let here = stated.rows_of_hole(hole).filter(|(_, row)| !row.elsewhere);
+    let all: Vec<(u32, Id)> = here
+        .filter_map(|(at, row)| {
+            let torque = Id::new(Scope::Conditions(stated.conditions_of(at)?), Q::Torque);
+            stated.figure(torque).map(|_| (row.setup.unwrap_or(1), torque))
+        })
+        .collect();
+    let value = |id: Id| stated.figure(id).map(|figure| figure.value);
+    let largest_of_all = all.iter().filter_map(|(_, torque)| value(*torque)).reduce(f64::max);
+    let first: Vec<Id> = all.iter().filter(|(set_up, _)| *set_up == 1).map(|(_, torque)| *torque).collect();
+    if first.is_empty() || value(clamped) == largest_of_all {
+        return all.into_iter().map(|(_, torque)| torque).collect();
+    }
+    first
 }
 
 /// A factor or friction other than the textbook's: handbooks of fixtures have others, by the rule `audit-clamping`.

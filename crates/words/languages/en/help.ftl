@@ -4,6 +4,7 @@ help-technolog-lang = Language of the answers: uk or en (by default from the var
 help-technolog-knowledge = Folder with catalogs/ and rules/ instead of the embedded knowledge
 help-technolog-format = Form of the answer: text, json, yaml, hand, csv, svg, markdown, html, docx, xlsx or junit; each command has some of them
 help-formats = Form of the answer: { $formats }; by default the first
+help-formats-of-folder = Form of the answer: { $formats }; for a folder also { $more }; by default the first
 help-formats-by-show = Form of the answer, by what --show names: { $formats }; by default the first
 help-technolog-output = Write the answer to a file instead of the screen
 help-technolog-all-problems = Show every error and finding of a file, also beyond the first 50, and every unconfirmed row behind a plan

@@ -4,6 +4,7 @@ help-technolog-lang = Мова відповідей: uk або en (якщо не
 help-technolog-knowledge = Тека з catalogs/ і rules/ замість вбудованої бази знань
 help-technolog-format = Формат відповіді: text, json, yaml, hand, csv, svg, markdown, html, docx, xlsx або junit; кожна команда має деякі з них
 help-formats = Формат відповіді: { $formats }; якщо не вказано – перший
+help-formats-of-folder = Формат відповіді: { $formats }; для теки також { $more }; якщо не вказано – перший
 help-formats-by-show = Формат відповіді, залежно від --show: { $formats }; якщо не вказано – перший
 help-technolog-output = Записати відповідь у файл, а не на екран
 help-technolog-all-problems = Показати всі помилки й зауваження до файлу, а не лише перші 50, і кожен непідтверджений рядок, на який спирається план
