@@ -188,7 +188,12 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     let mut formula = formula(&STEP, id(Q::Rpm), vec![id(Q::RpmComputed)], "", step);
     formula.because.push(Because::row(series, Note::new("audit-series")));
     formula.because.push(Because::table(shop.knowledge.table_of::<SpindleStep<'_>>()?, Note::new("audit-step-rule")));
+    // What holds our own plan to that step, as practice does, holds the author's, too, who need not name it.
+    let ours = context.reference(conditions.rows[0]).map(|own| own.conditions.spindle_rpm);
     formula.judge = Some(Box::new(move |value, values| {
+        if ours.is_some_and(|ours| (ours.0 - value).abs() < 1e-6) {
+            return None;
+        }
         let computed = *values.first()?;
         // A limit only lowers the spindle speed, and leaves it at a step of the machine.
         let slower = is_limited && value < computed && context.steps_around(value).is_none();
