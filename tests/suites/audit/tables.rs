@@ -141,6 +141,18 @@ fn words_of_programs_are_read_and_told() {
     assert!(audit.findings.iter().any(|one| one.rule == "audit-column-unread" && one.column == Some(5)));
 }
 
+/// A list goes hole by hole, which is no order of tool changes; without the width of a spot nobody knows how deep it should be; and a
+/// step that practice holds lower needs no word that says so.
+#[test]
+fn what_a_list_does_not_say_is_not_wrong() {
+    let list = "Отвір;Перехід;Інструмент;Оправка;S, мм/об;n, об/хв;Глибина, мм\n\
+                A;центрування;035-2317-0103;191113040;0,1;1600;6\nA;свердління;035-2300-1273;191113040;0,225;1000;40\n\
+                B;центрування;035-2317-0103;191113040;0,1;1600;6\nB;свердління;035-2300-1273;191113040;0,225;1000;40\n\
+                B;розсвердлювання;035-2301-1060;191831062;0,76;400;40\n";
+    let doubts = found(&of_text(list, Some(&plate())).unwrap());
+    assert_eq!(doubts, ["doubtful audit-spot-depth 2:7 6", "doubtful audit-spot-depth 4:7 6"]);
+}
+
 /// Every plan of another hand as a list of its tools: of its part, of its material and machine, of nothing. None is blamed.
 #[test]
 fn no_honest_list_is_blamed() {

@@ -56,7 +56,10 @@ pub(super) fn check<'a>(
             if let Some(right) = spot(context, graph, at, row)
                 && (figure.value - right).abs() > figure.last_place / 2.0 + 1e-6
             {
-                let finding = say(Severity::Wrong, Note::new("audit-spot-depth"));
+                // Without its diameter, the author may have meant a wider spot than our plan makes.
+                let is_said = row.figures.contains_key(&Q::Diameter);
+                let severity = if is_said { Severity::Wrong } else { Severity::Doubtful };
+                let finding = say(severity, Note::new("audit-spot-depth"));
                 findings.push(with_right_value(finding, figure, shown(right), Q::Depth));
             }
             continue;

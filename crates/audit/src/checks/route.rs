@@ -156,7 +156,8 @@ fn changes(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
     let mut tools = changes.clone();
     tools.sort_unstable();
     tools.dedup();
-    if context.stated.is_own || changes.len() <= tools.len() {
+    // A list of tools goes hole by hole and says nothing of the order of work.
+    if context.stated.is_own || context.stated.is_list || changes.len() <= tools.len() {
         return;
     }
     // The least number, by the order of the program's plan: each tool comes once where the transitions permit it.
