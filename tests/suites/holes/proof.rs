@@ -181,7 +181,11 @@ fn holds_by_hand(plan: &Plan, keys: &str) {
             && plan.part.material == "steel-45"
         {
             // The pages on steel of HB 178 have 28.6 m/min and up to a quarter more, a step of the spindle lies up to 12 % above.
-            assert!(step.conditions.speed_m_per_min.0 <= 28.6 * 1.25 * 1.12, "{keys}: {:?}", step.conditions.speed_m_per_min);
+            assert!(
+                step.conditions.speed_m_per_min.0 <= 28.6 * 1.25 * 1.12,
+                "{keys}: {:?}",
+                step.conditions.speed_m_per_min
+            );
         }
         if !hole.through {
             assert!(step.end() < plan.part.blank.thickness, "{keys}: {:?}", step.operation);
