@@ -6,7 +6,7 @@ use super::cuts::{TOLERANCE, same_position};
 use super::matching::Matched;
 use super::walk::{Event, PointVisit, TipMotion};
 use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput, StopTask};
-use crate::job::Pause;
+use crate::job::{CycleKind, Pause};
 use crate::motion::{BlockRef, Turning};
 use crate::note::Severity;
 use crate::units::Micrometres;
@@ -144,8 +144,11 @@ impl<'t> Around<'_, 't> {
             }
             let cycle = task.cycle;
             let metal = self.input.plan.part.datum.top - task.transition.start_mm;
-            if made.to[2] < cycle.begin && made.to[2] >= task.reached_in_air(metal) && made.turning != Turning::Stopped
-            {
+            // Between its steps a pecking tool comes back to just over what it has drilled, which may be the face itself; that it
+            // begins no lower than planned is held to its first step.
+            let pecks = matches!(cycle.kind, CycleKind::Peck { .. } | CycleKind::ChipBreak { .. });
+            let lowest = if pecks { metal } else { task.reached_in_air(metal) };
+            if made.to[2] < cycle.begin && made.to[2] >= lowest && made.turning != Turning::Stopped {
                 continue;
             }
             let known = [cycle.begin, cycle.out].iter().any(|level| same_position(*level, made.to[2]));
