@@ -197,7 +197,6 @@ impl Context {
     }
 
     /// A page as text, Markdown or HTML for a file, or for the screen.
-    #[allow(dead_code, reason = "pages move to documents one by one")]
     pub fn written(&self, document: &Document, format: Format, file: Option<&Path>) -> String {
         let format = match format {
             Format::Markdown => document::Format::Markdown,

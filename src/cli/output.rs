@@ -52,7 +52,8 @@ fn staged(answer: &[u8], path: &Path, lang: Lang) -> Result<Staged, CliError> {
     Staged::of(answer, path).map_err(|error| unwritable(&error, path, lang))
 }
 
-fn unwritable(error: &io::Error, path: &Path, lang: Lang) -> CliError {
+/// A file or folder that cannot be written, with why.
+pub fn unwritable(error: &io::Error, path: &Path, lang: Lang) -> CliError {
     let message = match error.kind() {
         ErrorKind::PermissionDenied => say!(lang, "cli-write-not-permitted", path = path.display()),
         ErrorKind::NotFound => words::cannot_write(lang, path.display(), lang.word("file-no-such-folder")),
@@ -93,15 +94,12 @@ fn is_dangling(path: &Path) -> bool {
 }
 
 /// The least usable width of a page.
-#[allow(dead_code, reason = "as emit_document")]
 const NARROWEST: usize = 40;
 /// The width where the output is no terminal.
-#[allow(dead_code, reason = "as emit_document")]
 const USUAL_WIDTH: usize = 120;
 
 /// The properties of the output for layout.
 #[derive(Clone, Copy, Debug)]
-#[allow(dead_code, reason = "as emit_document")]
 pub struct Screen {
     /// Its width in characters.
     pub width: usize,
@@ -111,7 +109,6 @@ pub struct Screen {
     pub narrow: bool,
 }
 
-#[allow(dead_code, reason = "as emit_document")]
 impl Screen {
     /// The terminal, otherwise a file or a pipe; `COLUMNS` gives the width of either.
     pub fn of(file: Option<&Path>) -> Self {

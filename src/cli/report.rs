@@ -47,10 +47,15 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let targets = Targets::of("report", context)?;
     let knowledge = knowledge::load(context)?;
     let title = args.title.as_deref().map(|path| title_block(path, context)).transpose()?.unwrap_or_default();
-    let kind = other_kind(&args.part.display().to_string(), &context.text(&args.part)?, FileKind::Part);
+    // A table is the plan of a student, or a list of tools.
+    let kind = match audit::file::table_kind(&args.part) {
+        Some(_) => Some(FileKind::Plan),
+        None => other_kind(&args.part.display().to_string(), &context.text(&args.part)?, FileKind::Part)
+            .map(|(kind, _)| kind),
+    };
     let (page, outcome) = match kind {
-        Some((FileKind::Turned, _)) => turned(args, &title, knowledge, context)?,
-        Some((FileKind::Plan, _)) => of_plan(args, &title, knowledge, context)?,
+        Some(FileKind::Turned) => turned(args, &title, knowledge, context)?,
+        Some(FileKind::Plan) => of_plan(args, &title, knowledge, context)?,
         _ => of_part(args, &title, knowledge, context)?,
     };
     targets.print(&page, context)?;

@@ -67,7 +67,7 @@ pub use finding::{Audit, AuditFinding, Change, Counts, MissingKeys, Section, Sho
 pub use graph::Rule;
 pub use many::{Audited, Mistake, Unread, total};
 pub use read::{Files, NamedText, Unreadable, read_if_plan, read_plan, read_plan_node, read_plan_of, read_table};
-pub use sheet::{Unsaid, by_tables};
+pub use sheet::{Unsaid, by_tables, is_plan_table};
 use stated::Stated;
 pub use tables::audit::PlanPart;
 pub use write::by_hand;

@@ -1,6 +1,7 @@
 //! The plan as a page: route, tools, conditions, clamping, corrections, time, findings.
 
 use crate::document::{Document, Field, FindingBlock, Inlines, Severity as Shown};
+use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::material::Material;
@@ -102,15 +103,22 @@ pub(super) fn mark<'b>(because: impl IntoIterator<Item = &'b Because>) -> &'stat
     if because.into_iter().any(|reason| reason.unconfirmed.is_some()) { MARK } else { "" }
 }
 
+/// The material of the part in the state that the part gives.
+///
+/// # Errors
+/// The tables lack it.
+pub(super) fn material<'k>(part: &Part, knowledge: &'k Knowledge) -> Result<Material<'k>, KnowledgeError> {
+    let material = Material::find(knowledge, &part.material)?;
+    match part.material_state {
+        Some(state) => material.in_state(state, knowledge),
+        None => Ok(material),
+    }
+}
+
 /// The material with the figure that holds for it.
 pub(super) fn material_of(plan: &Plan, knowledge: &Knowledge, lang: Lang) -> String {
     let part = &plan.part;
-    let material = Material::find(knowledge, &part.material);
-    let material = material.map(|material| match part.material_state {
-        Some(state) => material.in_state(state, knowledge),
-        None => Ok(material),
-    });
-    material.and_then(|material| material).map_or_else(
+    material(part, knowledge).map_or_else(
         |_| part.material.clone(),
         |material| {
             let (hardness, strength) = (material.hardness, material.strength);

@@ -3,7 +3,7 @@
 use std::io::Cursor;
 
 use calamine::{DataRef, Reader as _, Xlsx, XlsxError};
-use rust_xlsxwriter::{Format, FormatAlign, Workbook};
+use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, FormatAlign, Workbook};
 use technolog_note::note;
 
 use crate::{MOST_CELLS, Row, Sheet, Unreadable, too_large};
@@ -97,6 +97,9 @@ fn broken(error: &XlsxError) -> Unreadable {
 /// The library cannot write it; its reason.
 pub fn written(sheets: &[Sheet]) -> Result<Vec<u8>, String> {
     let mut book = Workbook::new();
+    // Without the time of the clock: the same tables are the same file.
+    let made = ExcelDateTime::from_ymd(2000, 1, 1).map_err(|error| error.to_string())?;
+    book.set_properties(&DocProperties::new().set_creation_datetime(&made));
     let head = Format::new().set_bold().set_text_wrap().set_align(FormatAlign::Top);
     for sheet in sheets {
         let page = book.add_worksheet();

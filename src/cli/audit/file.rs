@@ -6,7 +6,7 @@ use std::path::Path;
 use technolog::audit::marks::{MarkingScheme, read_scheme};
 use technolog::audit::rules;
 use technolog::audit::stated::Stated;
-use technolog::audit::{Auditor, Unreadable, read_if_plan, read_plan_of, read_table};
+use technolog::audit::{Auditor, Unreadable, is_plan_table, read_if_plan, read_plan_of, read_table};
 use technolog::cases::FileKind;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Place};
@@ -94,11 +94,9 @@ pub fn read_any(
     context: &Context,
 ) -> Result<Option<Stated>, CliError> {
     if let Some(kind) = table_kind(path) {
-        // Any other table of the folder is no plan.
         return match read_tables(path, kind, None, auditor, places, context) {
-            Err(CliError::Unusable { problems, .. }) if problems.iter().any(|problem| problem.code == "no-head") => {
-                Ok(None)
-            }
+            // Any other table of the folder is no plan.
+            Err(_) if sheets::read(kind, &context.bytes(path)?).is_ok_and(|tables| !is_plan_table(&tables)) => Ok(None),
             stated => stated.map(Some),
         };
     }

@@ -111,11 +111,7 @@ fn write_sheets(
             .help(context.word("audit-sheets-format-help"))
             .into());
     };
-    std::fs::create_dir_all(folder).map_err(|error| {
-        let error = of_system(&error, context.lang);
-        let message = say!(context.lang, "cli-cannot-write", path = folder.display().to_string(), error = error);
-        CliError::from(Diagnostic::error("unwritable", message, None))
-    })?;
+    std::fs::create_dir_all(folder).map_err(|error| output::unwritable(&error, folder, context.lang))?;
     let ending = format.endings().first().copied().unwrap_or_default();
     let mut paths = Vec::new();
     for (at, one) in audited.iter().enumerate() {
@@ -185,9 +181,9 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>, barred: &mut Vec<(PathBuf, i
             if let Err(error) = collect(&path, files, barred) {
                 barred.push((path, error));
             }
-        } else if path.extension().is_some_and(|kind| {
-            ["yaml", "yml", "json", "csv", "tsv", "xlsx", "xlsm"].iter().any(|known| kind == *known)
-        }) {
+        } else if file::table_kind(&path).is_some()
+            || path.extension().is_some_and(|kind| ["yaml", "yml", "json"].iter().any(|known| kind == *known))
+        {
             files.push(path);
         }
     }

@@ -1,6 +1,6 @@
 //! `technolog audit`: checks a plan of any author, or a folder of plans, against the knowledge base.
 
-mod file;
+pub mod file;
 mod folder;
 
 use std::path::{Path, PathBuf};

@@ -233,3 +233,42 @@ fn each_student_has_a_sheet_that_says_nothing_of_others() {
     let (_, beside, code) = command(&folder, &["audit", "plans", "--sheets", "sheets"]);
     assert_eq!(code, 2, "{beside}");
 }
+
+/// A plan by sections whose tools have lost their head is a plan that cannot be read, and no other table of the folder; and a table
+/// is one whatever the case of its ending. Both were passed over without a word.
+#[test]
+fn a_plan_of_tables_that_cannot_be_read_is_not_passed_over() {
+    let folder = folder("audit-folder-lost-head");
+    fs::create_dir_all(folder.join("plans")).unwrap();
+    let plan = folder.join("whole.csv");
+    let path = root("examples/plate.yaml").display().to_string();
+    let (text, _, code) = command(&folder, &["plan", &path, "--format", "csv", "--lang", "en"]);
+    assert_eq!(code, 0);
+    fs::write(&plan, &text).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    let tools = lines.iter().position(|line| *line == "Tools").unwrap();
+    let spoilt: Vec<&str> =
+        lines.iter().enumerate().filter(|(at, _)| *at != tools + 1).map(|(_, line)| *line).collect();
+    fs::write(folder.join("plans/spoilt.CSV"), spoilt.join("\n")).unwrap();
+    fs::write(folder.join("plans/marks.csv"), "pupil;mark\nA;5\n").unwrap();
+    let (text, beside, code) = command(&folder, &["audit", "plans", "--lang", "en"]);
+    assert_eq!(code, 2, "{text}{beside}");
+    assert!(format!("{text}{beside}").contains("spoilt.CSV"), "{text}{beside}");
+    assert!(beside.contains("marks.csv") || text.contains("marks.csv"), "{text}{beside}");
+}
+
+/// No student has the extract whose lines the sources count, in whatever language the sheet is.
+#[test]
+fn sheets_of_students_name_no_lines_of_the_extract() {
+    let folder = class("audit-class-lines");
+    for lang in ["uk", "en"] {
+        let to = format!("sheets-{lang}");
+        let arguments = ["audit", "plans", "--format", "markdown", "--lang", lang, "-o", "page.md", "--sheets", &to];
+        assert_eq!(command(&folder, &arguments).2, 1);
+        let sheets =
+            fs::read_dir(folder.join(&to)).unwrap().map(|one| fs::read_to_string(one.unwrap().path()).unwrap());
+        let all = sheets.collect::<String>();
+        assert!(all.contains(if lang == "uk" { "посібник" } else { "textbook" }), "{all}");
+        assert!(!all.contains("(l. ") && !all.contains("рядки 1") && !all.contains("(рядки"), "{lang}: {all}");
+    }
+}

@@ -54,6 +54,12 @@ pub(crate) fn read(file: &str, sheets: &[Sheet], part: Option<&Part>, problems: 
     Some(Tabled { root, is_list: false, unsaid: None, remarks })
 }
 
+/// Whether tables are a plan by sections, or have the head of a list of tools; else they are something else.
+pub fn is_plan_table(sheets: &[Sheet]) -> bool {
+    let sections = sections::of(&Book { file: "".into() }, sheets);
+    sections.iter().any(|section| section.kind != sections::Kind::List || section.has_head())
+}
+
 /// The file that places name.
 pub(crate) struct Book {
     file: Arc<str>,

@@ -68,6 +68,13 @@ pub(crate) struct Section {
     pub place: Place,
 }
 
+impl Section {
+    /// Whether a row of it is the head of a list of tools.
+    pub(super) fn has_head(&self) -> bool {
+        self.rows.iter().any(|row| heads::count(row, Kind::List.forms()) > 1)
+    }
+}
+
 /// The section of a name, if it is one.
 fn named(text: &str) -> Option<Kind> {
     let wanted = norm(text);
@@ -98,7 +105,6 @@ pub(crate) fn of(book: &Book, sheets: &[Sheet]) -> Vec<Section> {
         }
         sections.extend(own);
     }
-    let is_head = |section: &Section| section.rows.iter().any(|row| heads::count(row, Kind::List.forms()) > 1);
     let parts = sections.iter().filter(|section| section.kind != Kind::Plan && section.kind != Kind::List);
     if parts.clone().any(|section| section.kind != Kind::Tools) {
         // Beside a plan by sections a sheet without a name of one is something else: notes, a drawing, a sum.
@@ -109,8 +115,8 @@ pub(crate) fn of(book: &Book, sheets: &[Sheet]) -> Vec<Section> {
     for section in sections.iter_mut().filter(|section| section.kind == Kind::Tools) {
         section.kind = Kind::List;
     }
-    if sections.iter().any(|section| section.kind == Kind::List && is_head(section)) {
-        sections.retain(|section| section.kind == Kind::Plan || is_head(section));
+    if sections.iter().any(|section| section.kind == Kind::List && section.has_head()) {
+        sections.retain(|section| section.kind == Kind::Plan || section.has_head());
     }
     sections
 }

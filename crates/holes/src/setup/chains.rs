@@ -43,22 +43,24 @@ pub fn chains(part: &Part, holes: &[HolePlan], held: HeldBy, shop: &Shop<'_>) ->
     let each = a_zero_for_each(part, &one);
     let of_one = Measured { part, holes, zeros: std::slice::from_ref(&one), errors: &errors }.chains(shop)?;
     let of_each = Measured { part, holes, zeros: &each, errors: &errors }.chains(shop)?;
-    let close = |chains: &[Chain]| chains.iter().filter(|chain| chain.closing == Some(ChainClosing::AtWorst)).count();
+    let close =
+        |chains: &[(Chain, _)]| chains.iter().filter(|(chain, _)| chain.closing == Some(ChainClosing::AtWorst)).count();
     let ask = ChainZerosFor { several: each.len() > 1, more_close: close(&of_each) > close(&of_one) };
     let answer = shop.knowledge.ask(&ask)?;
     let because = Because::answer(&answer.answer, Note::new("chain-zeros"));
-    let (zeros, mut chains) = match answer.need("several")?.zeros {
+    let (zeros, chains) = match answer.need("several")?.zeros {
         ChainZeros::One => (vec![one], of_one),
         ChainZeros::Each => (each, of_each),
     };
-    for chain in &mut chains {
-        chain.because.push(because.clone());
-    }
     let mut findings = Vec::new();
-    for chain in &chains {
-        findings.extend(told(chain, part, &zeros, shop)?);
+    for (chain, lacks) in &chains {
+        findings.extend(told(chain, *lacks, shop)?);
     }
-    Ok(Chains { zeros, chains, findings })
+    let with_reason = |(mut chain, _): (Chain, _)| {
+        chain.because.push(because.clone());
+        chain
+    };
+    Ok(Chains { zeros, chains: chains.into_iter().map(with_reason).collect(), findings })
 }
 
 /// A zero at the sides where most dimensions begin; where none does, or as many, at those where the zero of the drawing lies.
@@ -133,12 +135,22 @@ struct Measured<'a, 'k> {
     errors: &'a Errors<'k>,
 }
 
-/// The terms of a chain as they are found; `open` where a figure lacks.
+/// What nobody says, so that a chain is not known to close.
+#[derive(Clone, Copy, Debug)]
+enum Lacking {
+    /// How far the part is off in a fixture of the shop's own.
+    Locating,
+    /// The tolerance of the blank between two sides.
+    Size,
+}
+
+/// The terms of a chain as they are found.
 #[derive(Default)]
 struct Terms {
     all: Vec<ChainTerm>,
     because: Vec<Because>,
-    open: bool,
+    /// What lacks, the last of several.
+    lacks: Option<Lacking>,
 }
 
 impl Terms {
@@ -156,7 +168,7 @@ impl Terms {
 }
 
 impl Measured<'_, '_> {
-    fn chains(&self, shop: &Shop<'_>) -> Result<Vec<Chain>, KnowledgeError> {
+    fn chains(&self, shop: &Shop<'_>) -> Result<Vec<(Chain, Option<Lacking>)>, KnowledgeError> {
         let mut chains = Vec::new();
         for dimension in &self.part.dimensions {
             let Base::Hole(hole) = &dimension.to else { continue };
@@ -173,14 +185,14 @@ impl Measured<'_, '_> {
                 because: terms.because,
             };
             chain.terms.sort_by_key(|term| (std::cmp::Reverse(term.field_mm), term.what));
-            if !terms.open {
+            if terms.lacks.is_none() {
                 let (worst, likely) = (worst(&chain.terms), likely(chain.terms.iter()));
                 (chain.worst_mm, chain.likely_mm) = (Some(worst), Some(likely));
                 let answer = shop.knowledge.ask(&closing_of(&chain, worst, likely))?;
                 chain.closing = Some(answer.need("worst")?.closing);
                 chain.because.push(Because::answer(&answer.answer, Note::new("chain-closing")));
             }
-            chains.push(chain);
+            chains.push((chain, terms.lacks));
         }
         Ok(chains)
     }
@@ -231,7 +243,7 @@ impl Measured<'_, '_> {
         if *zero == self.zeros[0] {
             match &self.errors.locating {
                 Some(row) => terms.row(ChainError::Locating, row, row.most),
-                None => terms.open = true,
+                None => terms.lacks = Some(Lacking::Locating),
             }
         }
         let lever = self.lever(hole, axis);
@@ -240,7 +252,7 @@ impl Measured<'_, '_> {
         if zero.side(axis) != side {
             match self.part.size_tolerance(axis) {
                 Some(tolerance) => terms.push(ChainError::Size, tolerance),
-                None => terms.open = true,
+                None => terms.lacks = Some(Lacking::Size),
             }
         }
     }
@@ -275,7 +287,7 @@ fn closing_of(chain: &Chain, worst: Micrometres, all: Micrometres) -> ChainClosi
 }
 
 /// What is to be said of a chain that does not close at worst.
-fn told(chain: &Chain, part: &Part, zeros: &[PartZero], shop: &Shop<'_>) -> Result<Option<Finding>, KnowledgeError> {
+fn told(chain: &Chain, lacks: Option<Lacking>, shop: &Shop<'_>) -> Result<Option<Finding>, KnowledgeError> {
     let told = |code: String| {
         let from = match &chain.from {
             Base::Side(side) => Figure::word_of("side", side.name()),
@@ -283,12 +295,14 @@ fn told(chain: &Chain, part: &Part, zeros: &[PartZero], shop: &Shop<'_>) -> Resu
         };
         Note::new(code).with("axis", chain.axis.letter()).with("from", from).with("tolerance", chain.tolerance_mm)
     };
-    let (Some(worst), Some(likely)) = (chain.worst_mm, chain.likely_mm) else {
-        let lacks_size = part.size_tolerance(chain.axis).is_none()
-            && matches!(&chain.from, Base::Side(side) if zeros.iter().all(|zero| zero.side(chain.axis) != *side));
-        let code = if lacks_size { "chain-without-size" } else { "chain-without-locating" };
+    if let Some(lacks) = lacks {
+        let code = match lacks {
+            Lacking::Locating => "chain-without-locating",
+            Lacking::Size => "chain-without-size",
+        };
         return Ok(Some(Finding::of_hole(Severity::Doubtful, &chain.hole, told(code.to_owned()))));
-    };
+    }
+    let (Some(worst), Some(likely)) = (chain.worst_mm, chain.likely_mm) else { return Ok(None) };
     let answer = shop.knowledge.ask(&closing_of(chain, worst, likely))?;
     let row = answer.need("worst")?;
     let severity = match row.severity {

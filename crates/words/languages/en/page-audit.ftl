@@ -271,7 +271,7 @@ audit-sheet-follow = { $count ->
 }
 audit-sheets-format = the sheets of the students are pages: `--format html` or `--format markdown`
 audit-sheets-format-help = add `--format html`; the grade book is another run with `--format csv` or `xlsx`
-audit-sheet-lines = (lines
+audit-sheet-lines = (l.
 audit-folder-part = a folder has works of many parts; each names its own
 audit-folder-part-help = name the part in each plan, above each list: `part`; or audit one file with `--part`
 audit-sheets-of-one = sheets are for a folder of works

@@ -1,13 +1,12 @@
 //! The operation card: form 3 of GOST 3.1404-86 (without a sketch), following sheets by form 2а.
 
 use crate::document::{CellKind, Document, FormCell, FormRow, Inlines};
-use crate::material::Material;
 use crate::note::IntoFigure;
 use crate::plan::Transition;
 use crate::words::say;
 
 use super::super::super::sheet::route::{WorkStep, told, work_steps};
-use super::super::super::sheet::{exactly, material_of, number};
+use super::super::super::sheet::{exactly, material, material_of, number};
 use super::{Kind, Lang, Line, Sources, TitleBlock};
 use super::{equipment, line, machine_auxiliary, minutes, names, page, sheets, text, tool_of, values};
 
@@ -66,8 +65,9 @@ fn strips(own: &Sources<'_>, lang: Lang) -> Vec<FormRow> {
     let plan = own.plan;
     let part = &plan.part;
     let none = Inlines::default;
-    let material = Material::find(own.knowledge, &part.material);
-    let hardness = material.map(|material| lang.figure(&material.hardness.into_figure())).unwrap_or_default();
+    let hardness = material(part, own.knowledge)
+        .map(|material| format!("HB {}", lang.figure(&material.hardness.into_figure())))
+        .unwrap_or_default();
     let (length, width, thickness) = (part.blank.length, part.blank.width, part.blank.thickness);
     let profile = say!(lang, "plan-plate", length = length, width = width, thickness = thickness);
     let mass = part.mass_kg.map(|mass| Inlines::number(lang.figure(&exactly(mass, 1)))).unwrap_or_default();
