@@ -1,5 +1,8 @@
 //! Columns of tables and keys of plans by the names that people give them, in every language of the program.
 
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
+
 use technolog_core::lang::Lang;
 
 use crate::knowledge::alike::latin;
@@ -51,7 +54,70 @@ fn keys<F: Form>() -> Vec<&'static str> {
     F::KEYS.iter().map(|key| key.name()).collect()
 }
 
+/// What a column is called, as names are compared.
+struct Called {
+    /// In every language, and by its key.
+    names: BTreeSet<String>,
+    /// Also where its table holds one mapping only.
+    alone: BTreeSet<String>,
+    /// In formulas.
+    symbol: Option<String>,
+}
+
+impl Called {
+    fn new(column: Column) -> Self {
+        let of_message = |message: &str| -> BTreeSet<String> {
+            Lang::all().flat_map(|lang| called(lang, message)).map(norm).collect()
+        };
+        let mut names = of_message(&column.message());
+        names.insert(match column.of {
+            Of::Card => norm(&format!("card.{}", column.key)),
+            Of::Holder => norm(&format!("holder.{}", column.key)),
+            _ => norm(column.key),
+        });
+        let alone = match column.of {
+            Of::Tool | Of::Clamping => of_message(&format!("column-{}", column.key)),
+            _ => BTreeSet::new(),
+        };
+        Self { names, alone, symbol: column.quantity().map(|quantity| norm(quantity.symbol())) }
+    }
+}
+
+static CALLED: LazyLock<BTreeMap<Column, Called>> =
+    LazyLock::new(|| Of::ALL.into_iter().flat_map(Of::columns).map(|column| (column, Called::new(column))).collect());
+
+/// Units by what people write for them.
+static UNITS: LazyLock<BTreeMap<String, Unit>> = LazyLock::new(|| {
+    let mut units = BTreeMap::new();
+    for unit in Unit::ALL.iter().copied() {
+        let id = unit.text().replace(['*', '/'], "-");
+        let of_lang = |lang: Lang| {
+            let also = lang.find(&format!("written-unit-{id}")).unwrap_or_default().split("; ");
+            [lang.find(&format!("unit-{id}")).unwrap_or(unit.text())].into_iter().chain(also)
+        };
+        for name in Lang::all().flat_map(of_lang).chain([unit.text()]).map(bare).filter(|name| !name.is_empty()) {
+            units.entry(name).or_insert(unit);
+        }
+    }
+    units
+});
+
 impl Of {
+    const ALL: [Self; 12] = [
+        Self::Plan,
+        Self::Part,
+        Self::Row,
+        Self::Place,
+        Self::Tool,
+        Self::Holder,
+        Self::Conditions,
+        Self::Card,
+        Self::Factors,
+        Self::Clamping,
+        Self::Program,
+        Self::Times,
+    ];
+
     /// Its columns, in the order of the format.
     pub fn columns(self) -> Vec<Column> {
         let keys = match self {
@@ -120,20 +186,20 @@ impl Column {
 
     /// Whether one of its names is that; `alone` where its table holds one mapping only.
     pub fn is_called(self, name: &str, alone: bool) -> bool {
-        let wanted = norm(name);
-        let mut messages = vec![self.message()];
-        if alone && matches!(self.of, Of::Tool | Of::Clamping) {
-            messages.push(format!("column-{}", self.key));
+        self.has_name(&norm(name), alone)
+    }
+
+    /// The same of a name as it is compared.
+    pub fn has_name(self, name: &str, alone: bool) -> bool {
+        self.with_names(|own| own.names.contains(name) || alone && own.alone.contains(name))
+    }
+
+    /// What it is called: worked out once, as every cell above a head is held against every column.
+    fn with_names(self, of: impl Fn(&Called) -> bool) -> bool {
+        match CALLED.get(&self) {
+            Some(own) => of(own),
+            None => of(&Called::new(self)),
         }
-        let by_key = match self.of {
-            Of::Card => norm(&format!("card.{}", self.key)) == wanted,
-            Of::Holder => norm(&format!("holder.{}", self.key)) == wanted,
-            _ => norm(self.key) == wanted,
-        };
-        by_key
-            || messages
-                .iter()
-                .any(|message| Lang::all().any(|lang| called(lang, message).any(|own| norm(own) == wanted)))
     }
 
     /// Whether the program itself calls it so.
@@ -141,9 +207,9 @@ impl Column {
         Lang::all().any(|lang| norm(self.name(lang)) == norm(name))
     }
 
-    /// Whether its symbol in formulas is that.
+    /// Whether its symbol in formulas is that, as it is compared.
     pub fn has_symbol(self, name: &str) -> bool {
-        self.quantity().is_some_and(|quantity| norm(quantity.symbol()) == norm(name))
+        self.with_names(|own| own.symbol.as_deref() == Some(name))
     }
 
     /// Its unit, if it has one.
@@ -177,19 +243,13 @@ pub(crate) fn norm(text: &str) -> String {
 
 /// The unit of a text, as people write it.
 pub(crate) fn unit(text: &str) -> Option<Unit> {
-    let bare = |text: &str| -> String {
-        let signs = text.chars().filter(|sign| !sign.is_whitespace() && !matches!(sign, '·' | '*' | '.' | '⋅' | '×'));
-        latin(&signs.collect::<String>().to_lowercase())
-    };
-    let wanted = bare(text);
-    let named = |unit: &&Unit| {
-        let id = unit.text().replace(['*', '/'], "-");
-        let also = |lang: Lang| lang.find(&format!("written-unit-{id}")).unwrap_or_default().split("; ");
-        let own = |lang: Lang| [lang.find(&format!("unit-{id}")).unwrap_or(unit.text())].into_iter().chain(also(lang));
-        !wanted.is_empty()
-            && (Lang::all().any(|lang| own(lang).any(|own| bare(own) == wanted)) || bare(unit.text()) == wanted)
-    };
-    Unit::ALL.iter().find(named).copied()
+    UNITS.get(&bare(text)).copied()
+}
+
+/// A unit as it is compared.
+fn bare(text: &str) -> String {
+    let signs = text.chars().filter(|sign| !sign.is_whitespace() && !matches!(sign, '·' | '*' | '.' | '⋅' | '×'));
+    latin(&signs.collect::<String>().to_lowercase())
 }
 
 /// A head of a column apart: its name, and its unit behind a comma or in brackets.

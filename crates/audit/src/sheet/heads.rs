@@ -12,7 +12,7 @@ use crate::knowledge::yaml::Problems;
 
 use super::Book;
 use super::cells::{self, is_empty};
-use super::columns::{Column, Of, head};
+use super::columns::{Column, Of, head, norm};
 
 /// The columns of a table: each with its number in the file, from 1.
 pub(super) type Heads = Vec<(u32, Column)>;
@@ -20,17 +20,18 @@ pub(super) type Heads = Vec<(u32, Column)>;
 /// What a cell of a head may mean, the likeliest kind of name first.
 fn meant(text: &str, forms: &[Of]) -> Vec<Column> {
     let (name, unit) = head(text);
+    let wanted = norm(name);
     let alone = forms.len() == 1 || !forms.contains(&Of::Row) && !forms.contains(&Of::Conditions);
     let all: Vec<Column> = forms.iter().flat_map(|of| of.columns()).filter(|column| is_own(*column, forms)).collect();
     let of_unit = |column: &Column| {
         unit.is_none_or(|unit| column.unit() == Some(unit) || unit == Unit::None && column.quantity().is_some())
     };
-    let called: Vec<Column> = all.iter().copied().filter(|column| column.is_called(name, alone)).collect();
+    let called: Vec<Column> = all.iter().copied().filter(|column| column.has_name(&wanted, alone)).collect();
     let fitting: Vec<Column> = called.iter().copied().filter(of_unit).collect();
     if !fitting.is_empty() {
         return fitting;
     }
-    all.into_iter().filter(|column| column.has_symbol(name)).filter(of_unit).collect()
+    all.into_iter().filter(|column| column.has_symbol(&wanted)).filter(of_unit).collect()
 }
 
 /// Whether a table of those mappings has the column: a holder is named by its own, and a list says once what row and conditions share.

@@ -211,7 +211,7 @@ pub(super) fn line(row: &Row, forms: &[Of]) -> Option<(u32, Column, String)> {
     let of_unit = |column: &Column| unit.is_none_or(|unit| column.unit() == Some(unit));
     let known = forms.iter().flat_map(|of| of.columns()).filter(of_unit);
     let mut known: Vec<Column> =
-        known.filter(|column| column.is_called(name, true) || column.has_symbol(name)).collect();
+        known.filter(|column| column.is_called(name, true) || column.has_symbol(&norm(name))).collect();
     known.sort_by_key(|column| !column.is_called(name, true));
     Some((column, *known.first()?, value.to_owned()))
 }
