@@ -38,8 +38,8 @@ pub(super) fn passes(
 ) -> Result<Vec<Fault>, KnowledgeError> {
     let material_group = Material::find(knowledge, &operation.workpiece.material)?.group;
     let mut limits = Limits::of(knowledge);
-    let thresholds = knowledge.rows::<AuditThresholds<'_>>()?;
-    let whole_share = thresholds.iter().find(|row| row.name == Threshold::ThreadWhole).map_or(1.0, |row| row.value);
+    let whole = Threshold::ThreadWhole;
+    let whole_share = knowledge.need(whole.name(), |row: &AuditThresholds<'_>| row.name == whole)?.value;
     let mut faults = Vec::new();
     for (side, cut) in work.jobs.iter().filter_map(|job| Some((job.side, job.thread.as_ref()?))) {
         let share = limits.ratio(JobLimit::ThreadRunIn)? / limits.ratio(JobLimit::ThreadRunOut)?;
