@@ -53,7 +53,7 @@ fn a_deep_hole_gets_a_long_drill_and_pecks() {
     }
 }
 
-/// A reamer bought for H7 leaves 10.000 to 10.015: 10K7 ends at 10.005, 30JS7 at 30.010. Each has a reamer of its own, even where
+/// A reamer bought for H7 leaves 10.000 to 10.015: 10K7 ends at 10.005, 30JS7 at 30.0105. Each has a reamer of its own, even where
 /// an H7 of the same size stands beside it; 25G7 (25.007 to 25.028) is what a bought one for H7 makes. 12F8 (12.016 to 12.043) begins
 /// above the holes of H7 (to 12.018) by half of them, and of H8 (to 12.027) too: it takes one for H9 (to 12.043).
 #[test]

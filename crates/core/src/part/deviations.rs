@@ -50,7 +50,7 @@ impl Deviations {
     ) -> Result<Option<ItGrade>, KnowledgeError> {
         for it in grades.rev().filter_map(ItGrade::new) {
             let tolerance = knowledge.ask(&ItGradesFor { it, diameter: size })?.need("it")?.tolerance;
-            // JS of an odd width is rounded down to whole micrometres on each side (ISO 286-1), and remains of its grade.
+            // JS of an odd width may be rounded down to whole micrometres on each side (ISO 286-1), and remains of its grade.
             let js = self.upper == -self.lower && self.upper == tolerance.half();
             if js || tolerance <= self.width() {
                 return Ok(Some(it));
@@ -71,7 +71,7 @@ impl Deviations {
     }
 
     /// The deviations of a field by its letters and grade; none where the tables do not tell them. The half of an odd
-    /// tolerance of js and JS is rounded down to a whole micrometre, as ISO 286-1 allows.
+    /// tolerance of js and JS is exact: ±10.5 for 30JS7, which tables print as ±10 (ISO 286-1 allows it).
     ///
     /// Shafts: es, ei = es - IT or ei, es = ei + IT; holes are their mirror image, K, M, N up to IT8 and P to ZC up to IT7
     /// with Δ = IT(n) - IT(n-1) added.
@@ -97,7 +97,7 @@ impl Deviations {
             |it| Ok::<_, KnowledgeError>(knowledge.ask(&ItGradesFor { it, diameter: size })?.need("it")?.tolerance);
         let tolerance = width(grade)?;
         if position.begins == FieldBegins::About {
-            return Ok(Some(Self { upper: tolerance.half(), lower: -tolerance.half() }));
+            return Ok(Some(Self { upper: tolerance.exact_half(), lower: -tolerance.exact_half() }));
         }
         let shaft = FundamentalDeviationFor { letters: position.of, grade, diameter: size };
         let shaft = knowledge.ask(&shaft)?.need(position.of)?.deviation;

@@ -3,8 +3,7 @@
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::form::{Form, KeyOf};
 use crate::knowledge::yaml::{Fields, Node, NodeKind};
-use crate::units::Micrometres;
-use crate::units::Roughness;
+use crate::units::{Deviation, Micrometres, Roughness};
 use technolog_note::note;
 
 use super::file::hole::Limits;
@@ -83,10 +82,12 @@ impl Reader<'_> {
         let diameter = if matches!(node.kind, NodeKind::Map(_)) {
             let mut fields = self.problems.map(node)?;
             let nominal = self.need_size(&mut fields, Limits::nominal);
-            let upper = fields.need(Limits::upper, self.problems).and_then(|node| self.problems.scalar(node));
-            let lower = fields.need(Limits::lower, self.problems).and_then(|node| self.problems.scalar(node));
+            let upper =
+                fields.need(Limits::upper, self.problems).and_then(|node| self.problems.scalar::<Deviation>(node));
+            let lower =
+                fields.need(Limits::lower, self.problems).and_then(|node| self.problems.scalar::<Deviation>(node));
             fields.finish(self.problems);
-            ToleratedDiameter::from_limits(nominal?, upper?, lower?, self.knowledge)
+            ToleratedDiameter::from_limits(nominal?, upper?.0, lower?.0, self.knowledge)
         } else {
             ToleratedDiameter::parse(self.problems.text(node)?, self.knowledge)
         };

@@ -1,4 +1,4 @@
-//! Lengths as whole micrometres.
+//! Lengths in micrometres, exact to the half.
 
 use std::fmt;
 
@@ -13,58 +13,69 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{Decimal, ParseError};
 
-/// A length or coordinate in whole micrometres. Written and read in millimetres with a decimal
-/// point and at most three places; serialises as a number of millimetres.
+/// A length or coordinate in micrometres. Sizes, coordinates and table cells are whole ones, written and read in
+/// millimetres with a decimal point and at most three places. A limit of a tolerance field may end at a half: IT7 of 30 is
+/// 21, and 30JS7 is ±10.5 (ISO 286-1). So halves are what is kept. Serialises as a number of millimetres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-pub struct Micrometres(i64);
+pub struct Micrometres {
+    halves: i64,
+}
 
 /// The largest length that is read, mm: a path over all points of a part still fits.
 const MOST_MM: i64 = 1_000_000_000;
 
+/// Half micrometres in a millimetre.
+const OF_MM: i64 = 2000;
+
 impl Micrometres {
     /// No length.
-    pub const ZERO: Self = Self(0);
+    pub const ZERO: Self = Self { halves: 0 };
 
     /// From whole micrometres.
     pub const fn new(micrometres: i64) -> Self {
-        Self(micrometres)
+        Self { halves: micrometres.saturating_mul(2) }
     }
 
     /// From whole millimetres.
     pub const fn from_mm(millimetres: i64) -> Self {
-        Self(millimetres.saturating_mul(1000))
+        Self { halves: millimetres.saturating_mul(OF_MM) }
     }
 
-    /// From a computed number of millimetres, rounded to the nearest micrometre.
+    /// From a computed number of millimetres, rounded to the nearest whole micrometre.
     pub fn from_mm_rounded(millimetres: f64) -> Self {
-        Self((millimetres * 1000.0).round() as i64)
+        Self::new((millimetres * 1000.0).round() as i64)
     }
 
-    /// Whole micrometres.
+    /// Whole micrometres, a half rounded down.
     pub const fn micrometres(self) -> i64 {
-        self.0
+        self.halves.div_euclid(2)
     }
 
     /// Millimetres, for formulas.
     pub fn to_mm(self) -> f64 {
-        self.0 as f64 / 1000.0
+        self.halves as f64 / OF_MM as f64
     }
 
     /// The absolute value.
     pub const fn abs(self) -> Self {
-        Self(self.0.abs())
+        Self { halves: self.halves.abs() }
     }
 
     /// Half of the length, rounded down to a whole micrometre.
     pub const fn half(self) -> Self {
-        Self(self.0.div_euclid(2))
+        Self::new(self.halves.div_euclid(4))
+    }
+
+    /// Half of the length, exact where the length is in whole micrometres.
+    pub const fn exact_half(self) -> Self {
+        Self { halves: self.halves.div_euclid(2) }
     }
 
     /// The nearest multiple of a step, half away from zero.
     #[must_use]
     pub fn on_grid(self, step: Self) -> Self {
-        let step = step.0.max(1);
-        Self((self.0.abs() + step / 2).div_euclid(step) * step * self.0.signum())
+        let step = step.halves.max(2);
+        Self { halves: (self.halves.abs() + step / 2).div_euclid(step) * step * self.halves.signum() }
     }
 
     /// `self · numerator / denominator`, rounded to the nearest micrometre; zero for a zero denominator.
@@ -72,28 +83,59 @@ impl Micrometres {
         if denominator == 0 {
             return Self::ZERO;
         }
-        Self((self.0 as f64 * numerator as f64 / denominator as f64).round() as i64)
+        Self::new((self.halves as f64 * numerator as f64 / denominator as f64 / 2.0).round() as i64)
+    }
+
+    /// Reads millimetres that are a whole number of some half micrometres.
+    fn read(text: &str, finest: i64) -> Result<Self, ParseError> {
+        if let Some(digits) = text.strip_suffix("mm").or_else(|| text.strip_suffix("мм")) {
+            return Err(ParseError(note!("unit-write-bare-number-millimetres", text = text, number = digits.trim())));
+        }
+        let exact: Decimal = text.parse()?;
+        if exact.millionths() % (finest * MILLIONTHS) != 0 {
+            return Err(ParseError(note!("unit-finer-than-micrometre-at-most", text = text)));
+        }
+        let length = Self { halves: exact.millionths() / MILLIONTHS };
+        if length.abs() > Self::from_mm(MOST_MM) {
+            return Err(ParseError(note!("unit-length-beyond", text = text, most = MOST_MM)));
+        }
+        Ok(length)
+    }
+}
+
+/// Millionths of a millimetre in half a micrometre.
+const MILLIONTHS: i64 = 500;
+
+/// A deviation as a drawing states it, which may end at a half micrometre: `0.0105`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Deviation(pub Micrometres);
+
+impl FromStr for Deviation {
+    type Err = ParseError;
+
+    fn from_str(text: &str) -> Result<Self, ParseError> {
+        Micrometres::read(text, 1).map(Self)
     }
 }
 
 impl Add for Micrometres {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self(self.0.saturating_add(other.0))
+        Self { halves: self.halves.saturating_add(other.halves) }
     }
 }
 
 impl Sub for Micrometres {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self(self.0.saturating_sub(other.0))
+        Self { halves: self.halves.saturating_sub(other.halves) }
     }
 }
 
 impl Neg for Micrometres {
     type Output = Self;
     fn neg(self) -> Self {
-        Self(-self.0)
+        Self { halves: -self.halves }
     }
 }
 
@@ -105,14 +147,19 @@ impl Sum for Micrometres {
 
 impl fmt::Display for Micrometres {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        Decimal::from_millionths(self.0.saturating_mul(1000)).fmt(f)
+        self.exact().fmt(f)
     }
 }
 
 impl Micrometres {
     /// Appends the number of millimetres to a text, as it is shown.
     pub fn append_to(self, text: &mut String) {
-        Decimal::from_millionths(self.0.saturating_mul(1000)).append_to(text);
+        self.exact().append_to(text);
+    }
+
+    /// The number of millimetres.
+    fn exact(self) -> Decimal {
+        Decimal::from_millionths(self.halves.saturating_mul(MILLIONTHS))
     }
 }
 
@@ -120,27 +167,16 @@ impl FromStr for Micrometres {
     type Err = ParseError;
 
     fn from_str(text: &str) -> Result<Self, ParseError> {
-        if let Some(digits) = text.strip_suffix("mm").or_else(|| text.strip_suffix("мм")) {
-            return Err(ParseError(note!("unit-write-bare-number-millimetres", text = text, number = digits.trim())));
-        }
-        let exact: Decimal = text.parse()?;
-        if exact.millionths() % 1000 != 0 {
-            return Err(ParseError(note!("unit-finer-than-micrometre-at-most", text = text)));
-        }
-        let length = Self(exact.millionths() / 1000);
-        if length.abs() > Self::from_mm(MOST_MM) {
-            return Err(ParseError(note!("unit-length-beyond", text = text, most = MOST_MM)));
-        }
-        Ok(length)
+        Self::read(text, 2)
     }
 }
 
 impl Serialize for Micrometres {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         if !serializer.is_human_readable() {
-            serializer.serialize_i64(self.0)
-        } else if self.0 % 1000 == 0 {
-            serializer.serialize_i64(self.0 / 1000)
+            serializer.serialize_i64(self.halves)
+        } else if self.halves % OF_MM == 0 {
+            serializer.serialize_i64(self.halves / OF_MM)
         } else {
             serializer.serialize_f64(self.to_mm())
         }
@@ -155,9 +191,9 @@ impl<'de> Deserialize<'de> for Micrometres {
                 let text = millimetres.to_string();
                 return Err(D::Error::custom(ParseError(note!("unit-length-beyond", text = text, most = MOST_MM))));
             }
-            Ok(Self::from_mm_rounded(millimetres))
+            Ok(Self { halves: (millimetres * OF_MM as f64).round() as i64 })
         } else {
-            i64::deserialize(deserializer).map(Self)
+            i64::deserialize(deserializer).map(|halves| Self { halves })
         }
     }
 }
@@ -186,6 +222,17 @@ mod tests {
         assert_eq!("-0.005".parse::<Micrometres>().unwrap().to_string(), "-0.005");
         assert!("0.0001".parse::<Micrometres>().is_err());
         assert!(technolog_words::Lang::EN.say(&"10mm".parse::<Micrometres>().unwrap_err().0).contains("bare number"));
+    }
+
+    /// IT7 of 30 is 21 micrometres: JS7 has 10.5 on either side.
+    #[test]
+    fn a_limit_may_end_at_half_a_micrometre() {
+        let limit = Micrometres::new(21).exact_half();
+        assert_eq!((limit.to_string().as_str(), (-limit).to_string().as_str()), ("0.0105", "-0.0105"));
+        assert_eq!("-0.0105".parse::<Deviation>().unwrap().0, -limit);
+        assert_eq!(limit + limit, Micrometres::new(21));
+        assert!("0.0105".parse::<Micrometres>().is_err() && "0.0104".parse::<Deviation>().is_err());
+        assert_eq!((limit.half(), limit.micrometres(), (-limit).micrometres()), (Micrometres::new(5), 10, -11));
     }
 
     proptest! {

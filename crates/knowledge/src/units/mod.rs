@@ -12,7 +12,7 @@ mod unit;
 
 pub use decimal::Decimal;
 pub use grade::ItGrade;
-pub use length::Micrometres;
+pub use length::{Deviation, Micrometres};
 pub use quantity::{
     Brinell, Degrees, Kilograms, Kilowatts, Megapascals, MetresPerMinute, Microns, MillimetresPerMinute,
     MillimetresPerRev, MillimetresPerSecondSquared, MillimetresPerTooth, Minutes, NewtonMetres, Newtons, Percent,

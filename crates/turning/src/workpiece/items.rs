@@ -6,7 +6,7 @@ use crate::knowledge::yaml::{Fields, Node, NodeKind};
 use crate::turning::contour::{Field, Side};
 use crate::turning::length::Half;
 use crate::turning::reading::{LARGEST, Placed, Reader, mistake};
-use crate::units::{Decimal, ItGrade, Micrometres, Roughness};
+use crate::units::{Decimal, Deviation, ItGrade, Micrometres, Roughness};
 use technolog_core::part::Deviations;
 
 use super::grade;
@@ -279,8 +279,8 @@ impl Reader<'_> {
         let upper = fields.need(LimitsFile::upper, &mut self.problems);
         let lower = fields.need(LimitsFile::lower, &mut self.problems);
         fields.finish(&mut self.problems);
-        let upper = upper.and_then(|node| self.problems.scalar::<Micrometres>(node))?;
-        let lower = lower.and_then(|node| self.problems.scalar::<Micrometres>(node))?;
+        let Deviation(upper) = upper.and_then(|node| self.problems.scalar(node))?;
+        let Deviation(lower) = lower.and_then(|node| self.problems.scalar(node))?;
         if upper <= lower {
             return self.fault(mistake!("limits-crossed", upper = upper, lower = lower), &node.place);
         }
