@@ -43,7 +43,7 @@ fn holes_begin_where_tables_of_holes_have_them() {
     assert_eq!(compared, 194);
 }
 
-/// js7 of 10 mm is ±7.5 µm by the table and ±7 as ISO 286-1 rounds it; h11 and H7 begin at the nominal size. Nothing is told of
+/// IT7 of 10 mm is 15 µm, and js7 has half of it on either side, which ISO 286-2 prints as ±7; h11 and H7 begin at the nominal size. Nothing is told of
 /// letters without a row, of j, which lies unevenly, and of M6 of 300 mm, an exception of the standard.
 #[test]
 fn fields_beside_the_pages() {
@@ -53,6 +53,9 @@ fn fields_beside_the_pages() {
         ours.map(|ours| (ours.upper.micrometres(), ours.lower.micrometres()))
     };
     assert_eq!(of("js", 7, 10), Some((7, -7)));
+    let js7 =
+        Deviations::of_field("js", ItGrade::new(7).unwrap(), Micrometres::from_mm(10), &KNOWLEDGE).unwrap().unwrap();
+    assert_eq!(js7.to_string(), "+0.0075/-0.0075");
     assert_eq!(of("h", 11, 20), Some((0, -130)));
     assert_eq!(of("H", 7, 40), Some((25, 0)));
     assert_eq!(of("k", 8, 20), Some((33, 0)));

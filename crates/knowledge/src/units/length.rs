@@ -46,9 +46,9 @@ impl Micrometres {
         Self::new((millimetres * 1000.0).round() as i64)
     }
 
-    /// Whole micrometres, a half rounded down.
+    /// Whole micrometres, a half rounded towards zero, as ISO 286-2 prints js.
     pub const fn micrometres(self) -> i64 {
-        self.halves.div_euclid(2)
+        self.halves / 2
     }
 
     /// Millimetres, for formulas.
@@ -232,7 +232,7 @@ mod tests {
         assert_eq!("-0.0105".parse::<Deviation>().unwrap().0, -limit);
         assert_eq!(limit + limit, Micrometres::new(21));
         assert!("0.0105".parse::<Micrometres>().is_err() && "0.0104".parse::<Deviation>().is_err());
-        assert_eq!((limit.half(), limit.micrometres(), (-limit).micrometres()), (Micrometres::new(5), 10, -11));
+        assert_eq!((limit.half(), limit.micrometres(), (-limit).micrometres()), (Micrometres::new(5), 10, -10));
     }
 
     proptest! {
