@@ -121,7 +121,12 @@ fn within(bounds: &[Option<Bound<'_>>], required: MillimetresPerRev, speed: Metr
 
 /// The spindle step of a draft's speed.
 pub(super) fn step_of(draft: &DraftConditions, shop: &Shop<'_>) -> Result<RevsPerMinute, KnowledgeError> {
-    Ok(SpindleStepChoice::of(rpm_at(draft.speed, draft.motion.turned), shop)?.rpm)
+    Ok(SpindleStepChoice::of(rpm_at(draft.speed, draft.motion.turned), fastest(draft), shop)?.rpm)
+}
+
+/// The spindle speed at which a cut reaches the upper end of practice.
+fn fastest(draft: &DraftConditions) -> Option<RevsPerMinute> {
+    draft.fastest.map(|speed| rpm_at(speed, draft.motion.turned))
 }
 
 /// Chooses the spindle step and keeps the feed within the loads, the power and the feed range; `limited` names the
@@ -132,7 +137,7 @@ pub(super) fn limit_to_machine(
     cut: &Cut,
     shop: &Shop<'_>,
 ) -> Tried<LimitedConditions, Uncut> {
-    let (rpm, limited_by, reason) = spindle_step(rpm_at(draft.speed, draft.motion.turned), shop)?;
+    let (rpm, limited_by, reason) = spindle_step(rpm_at(draft.speed, draft.motion.turned), fastest(draft), shop)?;
     let mut best = at_step(draft, cut, rpm, (limited.unwrap_or(limited_by), vec![reason]), shop)?;
     // If power is the limit, a slower step permits more feed: the step with the greatest feed rate is taken.
     for step in shop.machine.spindle_steps.iter().rev().filter(|step| step.0 < rpm.0) {
@@ -267,12 +272,17 @@ pub(super) fn synchronous(draft: &DraftConditions, shop: &Shop<'_>) -> Tried<Lim
     Err(Refusal::Not(Uncut::NoStepBelow { computed: wanted }))
 }
 
-/// The step of the machine's series for a computed speed, by the rule `spindle-step`; what limits it, and why.
+/// The step of the machine's series for a computed speed, by the rule `spindle-step`; what limits it, and why. `fastest`
+/// is the spindle speed at the upper end of practice, if there is one.
 ///
 /// # Errors
 /// The rule or the machine's series cannot answer.
-pub fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMinute, Limit, Because), KnowledgeError> {
-    let taken = SpindleStepChoice::of(wanted, shop)?;
+pub fn spindle_step(
+    wanted: RevsPerMinute,
+    fastest: Option<RevsPerMinute>,
+    shop: &Shop<'_>,
+) -> Result<(RevsPerMinute, Limit, Because), KnowledgeError> {
+    let taken = SpindleStepChoice::of(wanted, fastest, shop)?;
     Ok((taken.rpm, taken.limit, taken.because(wanted, shop)?))
 }
 
@@ -289,24 +299,36 @@ struct Between<'k> {
     below: RevsPerMinute,
     above: RevsPerMinute,
     excess: f64,
+    /// The spindle speed at the upper end of practice, where that alone forbids the faster step.
+    held_by: Option<RevsPerMinute>,
     answer: Answer<'k>,
 }
 
 impl<'k> SpindleStepChoice<'k> {
-    fn of(wanted: RevsPerMinute, shop: &Shop<'k>) -> Result<Self, KnowledgeError> {
+    fn of(wanted: RevsPerMinute, fastest: Option<RevsPerMinute>, shop: &Shop<'k>) -> Result<Self, KnowledgeError> {
         let steps = &shop.machine.spindle_steps;
         let below = steps.iter().rev().find(|step| step.0 <= wanted.0).copied();
         let above = steps.iter().find(|step| step.0 >= wanted.0).copied();
         match (below, above) {
             (Some(below), Some(above)) => {
                 let excess = (above.0 / wanted.0 - 1.0) * 100.0;
-                let answer = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess) })?;
-                let rpm = match answer.need("this excess")?.take {
+                let ask = |beyond_practice| -> Result<_, KnowledgeError> {
+                    let answer = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess), beyond_practice })?;
+                    Ok((answer.need("this excess")?.take, answer.answer))
+                };
+                let beyond = fastest.filter(|fastest| above.0 > fastest.0);
+                let (taken, answer) = ask(beyond.is_some())?;
+                let rpm = match taken {
                     Neighbour::Above => above,
                     Neighbour::Below => below,
                 };
-                let between = Some(Between { below, above, excess, answer: answer.answer });
-                Ok(Self { rpm, limit: Limit::CuttingSpeed, between })
+                // Whether it is practice alone that refuses the step above.
+                let held_by = match beyond {
+                    Some(fastest) if rpm.0 < wanted.0 && ask(false)?.0 == Neighbour::Above => Some(fastest),
+                    _ => None,
+                };
+                let limit = if held_by.is_some() { Limit::PracticeSpeed } else { Limit::CuttingSpeed };
+                Ok(Self { rpm, limit, between: Some(Between { below, above, excess, held_by, answer }) })
             }
             (Some(rpm), None) => Ok(Self { rpm, limit: Limit::SpindleSpeedMax, between: None }),
             (None, Some(rpm)) => Ok(Self { rpm, limit: Limit::SpindleSpeedMin, between: None }),
@@ -316,15 +338,20 @@ impl<'k> SpindleStepChoice<'k> {
 
     fn because(&self, wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<Because, KnowledgeError> {
         let code = match (&self.between, self.limit) {
+            (Some(Between { held_by: Some(_), .. }), _) => "spindle-step-in-practice",
             (Some(_), _) => "spindle-step",
             (None, Limit::SpindleSpeedMax) => "spindle-fastest",
             (None, _) => "spindle-slowest",
         };
         let note = Note::new(code).with("computed", round_to(wanted.0, 1)).with("step", self.rpm.0);
-        let Some(Between { below, above, excess, answer }) = &self.between else {
+        let Some(Between { below, above, excess, held_by, answer }) = &self.between else {
             return Ok(Because::row(shop.machine.row(MachineQuantity::SpindleSpeeds)?, note));
         };
-        let note = note.with("below", below.0).with("above", above.0).with("excess", round_to(*excess, 1));
+        let note = note.with("below", below.0).with("above", above.0);
+        let note = match held_by {
+            Some(fastest) => note.with("fastest", round_to(fastest.0, 1)),
+            None => note.with("excess", round_to(*excess, 1)),
+        };
         Ok(Because::answer(answer, note))
     }
 }
