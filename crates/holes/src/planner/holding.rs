@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
+use crate::job::{self, Body};
 use crate::note::{Finding, Note, Severity};
-use crate::part::Face;
+use crate::part::{Face, Standing};
 use crate::plan::{Clamping, HolePlan, Plan};
 use crate::sequence;
 use crate::setup;
@@ -52,7 +53,7 @@ fn out_of_the_way(plan: Plan, face: Face, shop: &Shop<'_>) -> Result<(Plan, Opti
     let without = faults(&bare, shop)?;
     let own_fault = with.into_iter().find(|(fault, _)| !without.contains_key(fault));
     let Some((_, why)) = own_fault else { return Ok((plan, None)) };
-    let mut tried: BTreeMap<usize, usize> = BTreeMap::new();
+    let (mut tried, mut best): (BTreeMap<usize, usize>, Option<(usize, Plan)>) = (BTreeMap::new(), None);
     for set in setup::clampings(&plan.part, &plan.holes, face, shop)? {
         let count = tried.entry(set.clamps.len()).or_default();
         *count += 1;
@@ -60,9 +61,20 @@ fn out_of_the_way(plan: Plan, face: Face, shop: &Shop<'_>) -> Result<(Plan, Opti
             continue;
         }
         let other = clamped(&plan, face, Some(set));
-        if is_as_good(&other, &without, shop)? {
-            return Ok((other, None));
+        if !is_as_good(&other, &without, shop)? {
+            continue;
         }
+        // Of sets that leave the quill its travel the one that fewest holders come near to.
+        let near = near_straps(&other, shop)?;
+        if best.as_ref().is_none_or(|(least, _)| near < *least) {
+            best = Some((near, other));
+        }
+        if near == 0 {
+            break;
+        }
+    }
+    if let Some((0, best)) = best {
+        return Ok((best, None));
     }
     let obstacles = !plan.part.fixture.obstacles.is_empty();
     if face == Face::Entry
@@ -75,6 +87,9 @@ fn out_of_the_way(plan: Plan, face: Face, shop: &Shop<'_>) -> Result<(Plan, Opti
         if is_as_good(&other, &without, shop)? {
             return Ok((other, None));
         }
+    }
+    if let Some((_, best)) = best {
+        return Ok((best, None));
     }
     let height = own.strap.map(|strap| strap.height_mm).unwrap_or_default();
     let most = lowest(&plan, face, &without, shop)?;
@@ -122,6 +137,28 @@ fn faults(plan: &Plan, shop: &Shop<'_>) -> Result<Faults, KnowledgeError> {
     sequence::timed(&mut timed, shop)?;
     let wrong = timed.findings.into_iter().filter(|finding| finding.severity <= Severity::Wrong);
     Ok(wrong.map(|Finding { note, .. }| ((note.code().to_owned(), note.figure_text("tool")), note)).collect())
+}
+
+/// How many tools come so deep that what is above their cutters meets a strap of the plan's own.
+fn near_straps(plan: &Plan, shop: &Shop<'_>) -> Result<usize, KnowledgeError> {
+    let job = job::make(plan, shop)?;
+    let top = plan.part.datum.top;
+    let mut near = 0;
+    for setup in &job.setups {
+        let straps: Vec<&Standing> = setup.standing.iter().filter(|one| one.proposed).collect();
+        for work in &setup.works {
+            let bodies = job.envelopes.iter().filter(|one| one.tool == work.tool).flat_map(|one| &one.bodies);
+            let meets = |body: &Body| {
+                work.stops.iter().any(|stop| {
+                    let low = work.cycles.get(stop.cycle).map_or(top, |cycle| cycle.end) + body.from;
+                    let hit = |one: &&&Standing| one.outline.is_hit(stop.at, stop.at, body.diameter.half());
+                    straps.iter().filter(|one| low < top + one.height).any(|one| hit(&one))
+                })
+            };
+            near += usize::from(bodies.into_iter().any(meets));
+        }
+    }
+    Ok(near)
 }
 
 /// Whether a plan has no fault beside those of another.
