@@ -141,16 +141,16 @@ fn h7_holes_are_made_in_the_steps_of_the_handbook() {
 
 /// A second drill of Ø30 after Ø18 in 12Х18Н10Т. The handbook's law for this steel gives 3.5 · 30^0.5 / (25^0.12 · 0.3^0.45) =
 /// 22.4 m/min at the feed of drilling, 0.3 mm/rev, and public pages 16.8 (protocutter.com, AISI 321): the step of the spindle below
-/// 178 1/min is 160, 15.1 m/min. Deeper than 3 diameters both drills are brought out.
+/// 178 1/min is 160, 15.1 m/min. Deeper than 3 diameters it is fed 0.9 of that (Kls) and brought out.
 #[test]
 fn a_second_drill_in_stainless_steel_is_no_faster_than_the_pages_and_is_brought_out() {
     let keys = "diameter: 30H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[0, 0]]";
-    for (thickness, pecked) in [("60", false), ("100", true)] {
+    for (thickness, feed, pecked) in [("60", 0.3, false), ("100", 0.27, true)] {
         let plan = plan_of_hole("12Х18Н10Т", "gf2171", thickness, keys);
         let opened = plan.holes[0].transitions.iter().find(|one| one.operation == Operation::DrillOut).unwrap();
         let found = &opened.conditions;
         assert!((found.speed_m_per_min.0 - 15.1).abs() < 0.1, "{thickness}: {found:?}");
-        assert!((found.feed_mm_per_rev.0 - 0.3).abs() < 0.001, "{thickness}: {found:?}");
+        assert!((found.feed_mm_per_rev.0 - feed).abs() < 0.001, "{thickness}: {found:?}");
         let shop = Shop::new(&plan.part, CuttingMethod::Formula, &KNOWLEDGE).unwrap();
         let job = technolog::job::make(&plan, &shop).unwrap();
         let cycles = job.setups.iter().flat_map(|setup| &setup.works).flat_map(|work| &work.cycles);
