@@ -52,12 +52,12 @@ fn loaded(
 /// A file cannot be read.
 pub fn texts(context: &Context) -> Result<Texts, CliError> {
     let base = match &context.knowledge {
-        Some(folder) => read(folder, Texts::default())?,
+        Some(folder) => over(Texts::default(), folder)?,
         None => shipped::SOURCES.iter().fold(Texts::default(), |texts, source| {
             texts.with(source.path, source.path.to_owned(), Cow::Borrowed(source.text))
         }),
     };
-    context.layers.iter().try_fold(base, |texts, folder| read(folder, texts))
+    context.layers.iter().try_fold(base, |texts, folder| over(texts, folder))
 }
 
 /// The texts in the form that the knowledge crate takes.
@@ -66,7 +66,7 @@ pub fn sources(texts: &Texts) -> Vec<SourceFile<'_>> {
 }
 
 /// The texts of a folder over others.
-fn read(folder: &Path, below: Texts) -> Result<Texts, CliError> {
+fn over(below: Texts, folder: &Path) -> Result<Texts, CliError> {
     let files =
         Knowledge::read_folder(folder).map_err(|problems| CliError::Unusable { problems, texts: Texts::default() })?;
     Ok(files.into_iter().fold(below, |texts, (path, text)| {

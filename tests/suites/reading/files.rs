@@ -160,7 +160,9 @@ fn tables_of_a_shop_lie_over_those_that_are_shipped() {
     for (layer, text) in
         [("shop", &below), ("again", &shipped), ("broken", &below.replace("take: below", "take: beside"))]
     {
-        fs::create_dir_all(folder.join(layer).join("rules")).unwrap();
+        for inside in ["catalogs", "rules"] {
+            fs::create_dir_all(folder.join(layer).join(inside)).unwrap();
+        }
         fs::write(folder.join(layer).join("rules/spindle-step.yaml"), text).unwrap();
     }
     let ask = ["lookup", "spindle-step", "excess=5", "beyond_practice=false", "--lang", "en", "--format", "json"];
