@@ -1,4 +1,5 @@
-//! The knowledge base of a command: the embedded tables, or those of the folder of `--knowledge`.
+//! The knowledge base of a command: the embedded tables, or those of the folder of `--knowledge`, with the layers of `--with` over
+//! them.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -31,31 +32,32 @@ fn loaded(
     context: &Context,
     read_tables: impl Fn(&[SourceFile<'_>]) -> Result<Knowledge, Vec<Diagnostic>>,
 ) -> Result<&'static Knowledge, CliError> {
-    let knowledge = match &context.knowledge {
-        None => shipped::knowledge().map_err(|error| {
+    let knowledge = if context.knowledge.is_none() && context.layers.is_empty() {
+        shipped::knowledge().map_err(|error| {
             let message = words::broken_build(context.lang, error);
             CliError::from(Diagnostic::error("broken-build", message, None).help(words::rebuild(context.lang)))
-        })?,
-        Some(folder) => {
-            let texts = read(folder)?;
-            read_tables(&sources(&texts)).map_err(|problems| CliError::Unusable { problems, texts })?
-        }
+        })?
+    } else {
+        let texts = texts(context)?;
+        read_tables(&sources(&texts)).map_err(|problems| CliError::Unusable { problems, texts })?
     };
     // It lives as long as the process: freeing thousands of rows at the end would take a tenth of the time of a plan.
     Ok(Box::leak(Box::new(knowledge)))
 }
 
-/// The texts of the tables, with the places that `lint` needs.
+/// The texts of the tables, with the places that `lint` needs. A file of a layer takes the place of that with the same path below
+/// it, and is a table more where there is none.
 ///
 /// # Errors
 /// A file cannot be read.
 pub fn texts(context: &Context) -> Result<Texts, CliError> {
-    match &context.knowledge {
-        Some(folder) => read(folder),
-        None => Ok(shipped::SOURCES.iter().fold(Texts::default(), |texts, source| {
+    let base = match &context.knowledge {
+        Some(folder) => over(Texts::default(), folder)?,
+        None => shipped::SOURCES.iter().fold(Texts::default(), |texts, source| {
             texts.with(source.path, source.path.to_owned(), Cow::Borrowed(source.text))
-        })),
-    }
+        }),
+    };
+    context.layers.iter().try_fold(base, |texts, folder| over(texts, folder))
 }
 
 /// The texts in the form that the knowledge crate takes.
@@ -63,10 +65,11 @@ pub fn sources(texts: &Texts) -> Vec<SourceFile<'_>> {
     texts.iter().map(|(path, text)| SourceFile { path, text }).collect()
 }
 
-fn read(folder: &Path) -> Result<Texts, CliError> {
+/// The texts of a folder over others.
+fn over(below: Texts, folder: &Path) -> Result<Texts, CliError> {
     let files =
         Knowledge::read_folder(folder).map_err(|problems| CliError::Unusable { problems, texts: Texts::default() })?;
-    Ok(files.into_iter().fold(Texts::default(), |texts, (path, text)| {
+    Ok(files.into_iter().fold(below, |texts, (path, text)| {
         let shown = folder.join(&path).display().to_string();
         texts.with(&path, shown, Cow::Owned(text))
     }))

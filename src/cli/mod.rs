@@ -70,6 +70,8 @@ struct Global {
     lang: Option<Lang>,
     #[arg(long, global = true, value_name = "DIR")]
     knowledge: Option<PathBuf>,
+    #[arg(long, global = true, value_name = "DIR", action = ArgAction::Append)]
+    with: Vec<PathBuf>,
     #[arg(long, global = true, value_enum, hide_possible_values = true)]
     format: Option<Format>,
     // More than one only for a report.
@@ -131,6 +133,8 @@ pub struct Context {
     pub lang: Lang,
     /// The knowledge folder; none for the embedded knowledge.
     pub knowledge: Option<PathBuf>,
+    /// Folders whose tables lie over those of the knowledge, the last one on top.
+    pub layers: Vec<PathBuf>,
     /// The format of the answer, if given.
     pub format: Option<Format>,
     /// The file for the answer; none for the screen.
@@ -356,6 +360,7 @@ pub fn main() -> ExitCode {
     let context = Context {
         lang: cli.global.lang.unwrap_or(default),
         knowledge: cli.global.knowledge,
+        layers: cli.global.with,
         format: cli.global.format,
         output: outputs.next(),
         more_outputs: outputs.collect(),

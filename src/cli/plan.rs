@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 
 use technolog::cases::FileKind;
 use technolog::error::KnowledgeError;
+use technolog::job::Unfinished;
 use technolog::knowledge::alike::latin;
 use technolog::knowledge::diagnostic::nearest;
 use technolog::knowledge::{Diagnostic, Knowledge};
+use technolog::note::{Finding, Severity};
 use technolog::part::{Part, read_part};
 use technolog::plan::{CuttingMethod, Plan};
 use technolog::words::say;
@@ -68,9 +70,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         "tables" => planner::plan_by_tables,
         _ => planner::plan,
     };
-    let plan = ManuallyDrop::new(plan_file(&args.part, knowledge, context, |part| {
-        planned(part, args.method.method(), knowledge)
-    })?);
+    let mut plan = plan_file(&args.part, knowledge, context, |part| planned(part, args.method.method(), knowledge))?;
+    tell_unfinished(&mut plan);
+    let plan = ManuallyDrop::new(plan);
     match format {
         Format::Json => context.emit_json(&*plan)?,
         Format::Yaml => context.emit_yaml(&*plan)?,
@@ -107,7 +109,8 @@ pub struct ExplainArgs {
 pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format("explain", EXPLAIN_FORMATS)?;
     let knowledge = knowledge::load(context)?;
-    let plan = make(&args.part, args.method.method(), knowledge, context)?;
+    let mut plan = make(&args.part, args.method.method(), knowledge, context)?;
+    tell_unfinished(&mut plan);
     let names: Vec<&str> = plan.holes.iter().map(|hole| hole.name.as_str()).collect();
     let Some(wanted) = args.hole.as_deref() else {
         // Which groups there are says the part, not the command line.
@@ -134,6 +137,14 @@ pub fn explain(args: &ExplainArgs, context: &Context) -> Result<Outcome, CliErro
         }
     }
     Ok(if plan.has_errors_of(&hole.name) { Outcome::Findings } else { Outcome::Done })
+}
+
+/// Adds to the findings of a plan what a program of its machine leaves undone: who reads the plan must not take the part for finished
+/// either, and both commands end alike.
+pub fn tell_unfinished(plan: &mut Plan) {
+    let left = Unfinished::of(plan);
+    plan.findings.extend(left.iter().filter_map(|one| one.finding(Severity::Wrong)));
+    Finding::in_order(&mut plan.findings);
 }
 
 /// Reads and plans a part.

@@ -137,7 +137,7 @@ pub struct Machine<'k> {
     pub resolution: Micrometres,
     /// Largest mass of a part, kg.
     pub load_max_kg: f64,
-    /// Places of the magazine.
+    /// Places of the magazine, at least one: a tool stands in the spindle of a machine without one.
     pub magazine: usize,
     /// Time of one tool change.
     pub tool_change: Minutes,
@@ -263,7 +263,7 @@ impl<'k> Machine<'k> {
             middle: [Q::TravelMiddleX, Q::TravelMiddleY].map(|own| length_if_any(own).unwrap_or_default()),
             resolution: length(Q::Resolution)?,
             load_max_kg: number(Q::LoadMassMax)?,
-            magazine: number(Q::MagazinePlaces)? as usize,
+            magazine: (number(Q::MagazinePlaces)? as usize).max(1),
             tool_change: Minutes(number(Q::ToolChangeTime)? / 60.0),
             tool_change_at: (length(Q::ToolChangeX)?, length(Q::ToolChangeY)?),
             tool_change_z: length(Q::ToolChangeZ)?,

@@ -106,6 +106,7 @@ pub(super) fn draft(
     Ok(DraftConditions {
         feed: MillimetresPerRev(feed.0 * material),
         speed: MetresPerMinute(speed.0 * product * part),
+        fastest: None,
         tool_life: base.tool_life,
         life_exponent: base.life_exponent,
         coolant: base.coolant,

@@ -79,6 +79,7 @@ pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<DraftCo
     Ok(DraftConditions {
         feed,
         speed: MetresPerMinute(speed),
+        fastest: None,
         tool_life: base.tool_life,
         life_exponent: base.life_exponent,
         coolant: base.coolant,

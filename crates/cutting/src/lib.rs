@@ -114,6 +114,8 @@ impl Cut {
 struct DraftConditions {
     feed: MillimetresPerRev,
     speed: MetresPerMinute,
+    /// The upper end of practice for this cut, above which no step of the spindle is taken; absent where no table has it.
+    fastest: Option<MetresPerMinute>,
     tool_life: Minutes,
     /// m of V ~ 1/T^m, to convert another speed into a tool life.
     life_exponent: f64,

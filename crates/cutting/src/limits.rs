@@ -13,7 +13,7 @@ use crate::tables::practice::{ProofLimit, ProofLimits};
 use crate::tables::rules::{Load, LoadMarginFor, Neighbour, SpindleStepFor};
 use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, RevsPerMinute, round_to};
 
-use super::{Cut, DraftConditions, PowerLaw, rpm_at, speed_at};
+use super::{Cut, DraftConditions, Loads, PowerLaw, rpm_at, speed_at};
 
 /// Conditions within the machine's limits.
 pub(super) struct LimitedConditions {
@@ -64,20 +64,44 @@ pub(super) struct ReducedFeed {
 /// A load that exceeds its limit by no more than this equals it, because the limit was converted to a feed and back.
 const SLACK: f64 = 1e-9;
 
-/// Reduces a feed to the limits of drill strength, thrust and torque at a spindle step; none if it is within them.
+/// What the drill itself bears, whatever its feed; see [`drill_strength`] and [`drill_buckling`].
+pub(super) struct OfDrill<'k> {
+    /// N·m, with its row.
+    torque: Option<(f64, RowRef<'k>)>,
+    /// N, with its row.
+    thrust: Option<(f64, RowRef<'k>)>,
+}
+
+impl<'k> OfDrill<'k> {
+    /// The limits of the drill of a cut; none for other tools.
+    pub(super) fn of(cut: &Cut, shop: &Shop<'k>) -> Result<Self, KnowledgeError> {
+        Ok(Self { torque: drill_strength(cut, shop)?, thrust: drill_buckling(cut, shop)? })
+    }
+
+    fn bounds(&self, loads: Loads) -> [Option<Bound<'k>>; 2] {
+        let bound = |law, kind| move |(limit, row): (f64, RowRef<'k>)| Bound { law, limit, kind, row, margin: None };
+        [
+            self.torque.map(bound(loads.torque, Limit::DrillStrength)),
+            self.thrust.map(bound(loads.thrust, Limit::DrillBuckling)),
+        ]
+    }
+}
+
+/// Reduces a feed to the limits of the drill, of thrust and torque at a spindle step; none if it is within them.
 pub(super) fn reduced_feed(
     draft: &DraftConditions,
     feed: MillimetresPerRev,
-    cut: &Cut,
+    drill: &OfDrill<'_>,
     rpm: RevsPerMinute,
     shop: &Shop<'_>,
 ) -> Tried<Option<ReducedFeed>, Uncut> {
     let (machine, loads) = (&shop.machine, draft.loads);
     let speed = speed_at(rpm, draft.motion.turned);
     let (thrust, torque) = (Margin::of(Load::Thrust, shop)?, Margin::of(Load::Torque, shop)?);
+    let [strength, buckling] = drill.bounds(loads);
     let bounds = [
-        drill_strength(draft, cut, shop)?,
-        drill_buckling(draft, cut, shop)?,
+        strength,
+        buckling,
         Some(Bound {
             law: loads.thrust,
             limit: machine.thrust.0 * thrust.share,
@@ -121,7 +145,12 @@ fn within(bounds: &[Option<Bound<'_>>], required: MillimetresPerRev, speed: Metr
 
 /// The spindle step of a draft's speed.
 pub(super) fn step_of(draft: &DraftConditions, shop: &Shop<'_>) -> Result<RevsPerMinute, KnowledgeError> {
-    Ok(SpindleStepChoice::of(rpm_at(draft.speed, draft.motion.turned), shop)?.rpm)
+    Ok(SpindleStepChoice::of(rpm_at(draft.speed, draft.motion.turned), fastest(draft), shop)?.rpm)
+}
+
+/// The spindle speed at which a cut reaches the upper end of practice.
+fn fastest(draft: &DraftConditions) -> Option<RevsPerMinute> {
+    draft.fastest.map(|speed| rpm_at(speed, draft.motion.turned))
 }
 
 /// Chooses the spindle step and keeps the feed within the loads, the power and the feed range; `limited` names the
@@ -129,11 +158,11 @@ pub(super) fn step_of(draft: &DraftConditions, shop: &Shop<'_>) -> Result<RevsPe
 pub(super) fn limit_to_machine(
     draft: &DraftConditions,
     limited: Option<Limit>,
-    cut: &Cut,
+    drill: &OfDrill<'_>,
     shop: &Shop<'_>,
 ) -> Tried<LimitedConditions, Uncut> {
-    let (rpm, limited_by, reason) = spindle_step(rpm_at(draft.speed, draft.motion.turned), shop)?;
-    let mut best = at_step(draft, cut, rpm, (limited.unwrap_or(limited_by), vec![reason]), shop)?;
+    let (rpm, limited_by, reason) = spindle_step(rpm_at(draft.speed, draft.motion.turned), fastest(draft), shop)?;
+    let mut best = at_step(draft, drill, rpm, (limited.unwrap_or(limited_by), vec![reason]), shop)?;
     // If power is the limit, a slower step permits more feed: the step with the greatest feed rate is taken.
     for step in shop.machine.spindle_steps.iter().rev().filter(|step| step.0 < rpm.0) {
         if best.limited_by != Limit::SpindlePower {
@@ -142,7 +171,7 @@ pub(super) fn limit_to_machine(
         let wanted = rpm_at(draft.speed, draft.motion.turned);
         let note = Note::new("spindle-step-below").with("computed", round_to(wanted.0, 1)).with("step", step.0);
         let reason = Because::row(shop.machine.row(MachineQuantity::SpindleSpeeds)?, note);
-        let slower = at_step(draft, cut, *step, (Limit::SpindlePower, vec![reason]), shop)?;
+        let slower = at_step(draft, drill, *step, (Limit::SpindlePower, vec![reason]), shop)?;
         if slower.feed.0 * slower.rpm.0 <= best.feed.0 * best.rpm.0 {
             break;
         }
@@ -157,7 +186,7 @@ pub(super) fn limit_to_machine(
 /// The feed at one spindle step.
 fn at_step(
     draft: &DraftConditions,
-    cut: &Cut,
+    drill: &OfDrill<'_>,
     rpm: RevsPerMinute,
     (mut limited_by, mut because): (Limit, Vec<Because>),
     shop: &Shop<'_>,
@@ -173,7 +202,7 @@ fn at_step(
         margin: Some(margin),
     };
     for reduced_feed in
-        [reduced_feed(draft, feed, cut, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
+        [reduced_feed(draft, feed, drill, rpm, shop)?, within(&[Some(power)], feed, speed_at(rpm, draft.motion.turned))]
     {
         if let Some(borne) = reduced_feed.filter(|borne| borne.feed.0 < feed.0) {
             feed = borne.feed;
@@ -199,11 +228,7 @@ fn at_step(
 /// Permissible torque Mp = k·d³·τ/1000, N·m, with the polar section modulus k·d³ of the fluted section, mm³, and the
 /// permissible shear stress τ, MPa (table `drill-strength`); d is the tool's own diameter, which for a spot is not
 /// that of the cut.
-fn drill_strength<'k>(
-    draft: &DraftConditions,
-    cut: &Cut,
-    shop: &Shop<'k>,
-) -> Result<Option<Bound<'k>>, KnowledgeError> {
+fn drill_strength<'k>(cut: &Cut, shop: &Shop<'k>) -> Result<Option<(f64, RowRef<'k>)>, KnowledgeError> {
     if !matches!(cut.operation, Operation::CentreDrill | Operation::Drill | Operation::DrillOut) {
         return Ok(None);
     }
@@ -215,18 +240,14 @@ fn drill_strength<'k>(
     }
     let d = tool.to_mm();
     let limit = strength.modulus_factor * d * d * d * strength.shear_stress.0.to_f64() / 1000.0;
-    Ok(Some(Bound { law: draft.loads.torque, limit, kind: Limit::DrillStrength, row: strength.row, margin: None }))
+    Ok(Some((limit, strength.row)))
 }
 
 /// The thrust at which a long thin drill bends out: the flutes are a column, clamped in the holder and held by the spot.
 ///
 /// Permissible thrust = share·π²·E·v·d⁴ / (μ·L)², N, with E in MPa and the drill's diameter d and the length L of its flutes in mm
 /// (Euler; table `proof-limits`, by which the proof of plans judges, too).
-fn drill_buckling<'k>(
-    draft: &DraftConditions,
-    cut: &Cut,
-    shop: &Shop<'k>,
-) -> Result<Option<Bound<'k>>, KnowledgeError> {
+fn drill_buckling<'k>(cut: &Cut, shop: &Shop<'k>) -> Result<Option<(f64, RowRef<'k>)>, KnowledgeError> {
     let Some(flutes) = cut.flutes.filter(|_| cut.operation == Operation::Drill) else { return Ok(None) };
     let limit_of = |name: ProofLimit| shop.knowledge.need(name.name(), |row: &ProofLimits<'_>| row.name.is(name));
     let share = limit_of(ProofLimit::DrillBucklingShare)?;
@@ -234,8 +255,7 @@ fn drill_buckling<'k>(
     let column = flutes.to_mm() * limit_of(ProofLimit::DrillColumn)?.value;
     let section = limit_of(ProofLimit::DrillSection)?.value * cut.tool_diameter.unwrap_or(cut.diameter).to_mm().powi(4);
     let euler = core::f64::consts::PI.powi(2) * modulus_mpa * section / (column * column);
-    let limit = share.value * euler;
-    Ok(Some(Bound { law: draft.loads.thrust, limit, kind: Limit::DrillBuckling, row: share.row, margin: None }))
+    Ok(Some((share.value * euler, share.row)))
 }
 
 /// Limits of a tap: its feed is its pitch and cannot be reduced, so the speed is reduced.
@@ -267,12 +287,17 @@ pub(super) fn synchronous(draft: &DraftConditions, shop: &Shop<'_>) -> Tried<Lim
     Err(Refusal::Not(Uncut::NoStepBelow { computed: wanted }))
 }
 
-/// The step of the machine's series for a computed speed, by the rule `spindle-step`; what limits it, and why.
+/// The step of the machine's series for a computed speed, by the rule `spindle-step`; what limits it, and why. `fastest`
+/// is the spindle speed at the upper end of practice, if there is one.
 ///
 /// # Errors
 /// The rule or the machine's series cannot answer.
-pub fn spindle_step(wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<(RevsPerMinute, Limit, Because), KnowledgeError> {
-    let taken = SpindleStepChoice::of(wanted, shop)?;
+pub fn spindle_step(
+    wanted: RevsPerMinute,
+    fastest: Option<RevsPerMinute>,
+    shop: &Shop<'_>,
+) -> Result<(RevsPerMinute, Limit, Because), KnowledgeError> {
+    let taken = SpindleStepChoice::of(wanted, fastest, shop)?;
     Ok((taken.rpm, taken.limit, taken.because(wanted, shop)?))
 }
 
@@ -289,24 +314,36 @@ struct Between<'k> {
     below: RevsPerMinute,
     above: RevsPerMinute,
     excess: f64,
+    /// The spindle speed at the upper end of practice, where that alone forbids the faster step.
+    held_by: Option<RevsPerMinute>,
     answer: Answer<'k>,
 }
 
 impl<'k> SpindleStepChoice<'k> {
-    fn of(wanted: RevsPerMinute, shop: &Shop<'k>) -> Result<Self, KnowledgeError> {
+    fn of(wanted: RevsPerMinute, fastest: Option<RevsPerMinute>, shop: &Shop<'k>) -> Result<Self, KnowledgeError> {
         let steps = &shop.machine.spindle_steps;
         let below = steps.iter().rev().find(|step| step.0 <= wanted.0).copied();
         let above = steps.iter().find(|step| step.0 >= wanted.0).copied();
         match (below, above) {
             (Some(below), Some(above)) => {
                 let excess = (above.0 / wanted.0 - 1.0) * 100.0;
-                let answer = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess) })?;
-                let rpm = match answer.need("this excess")?.take {
+                let ask = |beyond_practice| -> Result<_, KnowledgeError> {
+                    let answer = shop.knowledge.ask(&SpindleStepFor { excess: Percent(excess), beyond_practice })?;
+                    Ok((answer.need("this excess")?.take, answer.answer))
+                };
+                let beyond = fastest.filter(|fastest| above.0 > fastest.0);
+                let (taken, answer) = ask(beyond.is_some())?;
+                let rpm = match taken {
                     Neighbour::Above => above,
                     Neighbour::Below => below,
                 };
-                let between = Some(Between { below, above, excess, answer: answer.answer });
-                Ok(Self { rpm, limit: Limit::CuttingSpeed, between })
+                // Whether it is practice alone that refuses the step above.
+                let held_by = match beyond {
+                    Some(fastest) if rpm.0 < wanted.0 && ask(false)?.0 == Neighbour::Above => Some(fastest),
+                    _ => None,
+                };
+                let limit = if held_by.is_some() { Limit::PracticeSpeed } else { Limit::CuttingSpeed };
+                Ok(Self { rpm, limit, between: Some(Between { below, above, excess, held_by, answer }) })
             }
             (Some(rpm), None) => Ok(Self { rpm, limit: Limit::SpindleSpeedMax, between: None }),
             (None, Some(rpm)) => Ok(Self { rpm, limit: Limit::SpindleSpeedMin, between: None }),
@@ -316,15 +353,20 @@ impl<'k> SpindleStepChoice<'k> {
 
     fn because(&self, wanted: RevsPerMinute, shop: &Shop<'_>) -> Result<Because, KnowledgeError> {
         let code = match (&self.between, self.limit) {
+            (Some(Between { held_by: Some(_), .. }), _) => "spindle-step-in-practice",
             (Some(_), _) => "spindle-step",
             (None, Limit::SpindleSpeedMax) => "spindle-fastest",
             (None, _) => "spindle-slowest",
         };
         let note = Note::new(code).with("computed", round_to(wanted.0, 1)).with("step", self.rpm.0);
-        let Some(Between { below, above, excess, answer }) = &self.between else {
+        let Some(Between { below, above, excess, held_by, answer }) = &self.between else {
             return Ok(Because::row(shop.machine.row(MachineQuantity::SpindleSpeeds)?, note));
         };
-        let note = note.with("below", below.0).with("above", above.0).with("excess", round_to(*excess, 1));
+        let note = note.with("below", below.0).with("above", above.0);
+        let note = match held_by {
+            Some(fastest) => note.with("fastest", round_to(fastest.0, 1)),
+            None => note.with("excess", round_to(*excess, 1)),
+        };
         Ok(Because::answer(answer, note))
     }
 }

@@ -81,6 +81,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     Ok(DraftConditions {
         feed: MillimetresPerRev(tooth_feed * ratio),
         speed: MetresPerMinute(speed),
+        fastest: None,
         tool_life: life,
         life_exponent,
         coolant: None,

@@ -32,10 +32,24 @@ pub(super) fn compare_with_practice(
     cut: &Cut,
     shop: &Shop<'_>,
 ) -> Result<PracticeComparison, KnowledgeError> {
-    let (speed, comparison, because) = second_opinion(draft.speed, cut, &shop.material, shop.knowledge)?;
-    draft.speed = speed;
-    draft.because.extend(because);
-    Ok(comparison)
+    let opinion = second_opinion(draft.speed, cut, &shop.material, shop.knowledge)?;
+    draft.speed = opinion.speed;
+    draft.fastest = opinion.fastest;
+    draft.because.extend(opinion.because);
+    Ok(opinion.comparison)
+}
+
+/// A speed held against practice.
+#[derive(Clone, Debug)]
+pub struct SecondOpinion {
+    /// The speed to use.
+    pub speed: MetresPerMinute,
+    /// Whose it is.
+    pub comparison: PracticeComparison,
+    /// The upper end of practice; absent where no table has it.
+    pub fastest: Option<MetresPerMinute>,
+    /// The rows.
+    pub because: Vec<Because>,
 }
 
 /// The speed to use in place of that of the formula, by the rule `second-opinion`, and the reason.
@@ -47,9 +61,10 @@ pub fn second_opinion(
     cut: &Cut,
     material: &Material<'_>,
     knowledge: &Knowledge,
-) -> Result<(MetresPerMinute, PracticeComparison, Vec<Because>), KnowledgeError> {
+) -> Result<SecondOpinion, KnowledgeError> {
     let Some(practice) = PracticeSpeed::of(cut.operation, cut.tool_material, material, knowledge)? else {
-        return Ok((formula, PracticeComparison::FormulaKept, Vec::new()));
+        let comparison = PracticeComparison::FormulaKept;
+        return Ok(SecondOpinion { speed: formula, comparison, fastest: None, because: Vec::new() });
     };
     let share = formula.0 / practice.typical.0;
     let (material_group, spread) = (material.group, practice.high.0 / practice.typical.0);
@@ -72,5 +87,5 @@ pub fn second_opinion(
         let note = Note::new("practice-speed").with("speed", round_to(speed.0, 1));
         because.push(Because::answer(&answer.answer, note));
     }
-    Ok((speed, comparison, because))
+    Ok(SecondOpinion { speed, comparison, fastest: Some(practice.high), because })
 }

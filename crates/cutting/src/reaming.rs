@@ -41,6 +41,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     Ok(DraftConditions {
         feed,
         speed: MetresPerMinute(speed),
+        fastest: None,
         tool_life,
         life_exponent: law.m,
         coolant: figures.row.coolant,
@@ -76,11 +77,13 @@ pub fn rough_instead<'k>(
 pub(super) fn limit_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &Shop<'_>) -> Tried<bool, Uncut> {
     let Some((rough, row)) = rough_instead(cut, shop.knowledge)? else { return Ok(false) };
     let formula = self::draft(&rough, None, shop)?.speed;
-    let (speed, ..) = practice::second_opinion(formula, &rough, &shop.material, shop.knowledge)?;
+    let speed = practice::second_opinion(formula, &rough, &shop.material, shop.knowledge)?.speed;
     if speed.0 >= draft.speed.0 {
         return Ok(false);
     }
     draft.speed = speed;
+    // A step of the spindle must not take back what the surface demands.
+    draft.fastest = Some(draft.fastest.map_or(speed, |fastest| MetresPerMinute(fastest.0.min(speed.0))));
     let note = Note::new("reamed-for-surface").with("stock", row.stock_max).with("speed", round_to(speed.0, 1));
     draft.because.push(Because::row(row.row, note));
     Ok(true)

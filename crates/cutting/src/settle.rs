@@ -7,7 +7,7 @@ use crate::shop::Shop;
 use crate::tables::rules::FeedChoice;
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
-use super::limits::{self, LimitedConditions, ReducedFeed};
+use super::limits::{self, LimitedConditions, OfDrill, ReducedFeed};
 use super::practice::{self, PracticeComparison};
 use super::{Cut, DraftConditions, force_opinion, reaming};
 
@@ -39,11 +39,12 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
         let limited = limits::synchronous(&found.draft, shop)?;
         return Ok(found.with_conditions(limited));
     }
+    let drill = OfDrill::of(cut, shop)?;
     let (mut limited_by, mut because) = (None, Vec::new());
     for _ in 0..ROUNDS {
         let rpm = limits::step_of(&found.draft, shop)?;
         let Some(ReducedFeed { feed, limit, because: reasons }) =
-            limits::reduced_feed(&found.draft, found.draft.feed, cut, rpm, shop)?
+            limits::reduced_feed(&found.draft, found.draft.feed, &drill, rpm, shop)?
         else {
             break;
         };
@@ -53,7 +54,7 @@ pub(super) fn settle(cut: &Cut, shop: &Shop<'_>) -> Tried<Settled, Uncut> {
         because.extend(reasons);
         because.push(feed_reason("speed-for-feed", feed, &found, Some(before), shop)?);
     }
-    let mut limited = limits::limit_to_machine(&found.draft, limited_by, cut, shop)?;
+    let mut limited = limits::limit_to_machine(&found.draft, limited_by, &drill, shop)?;
     because.append(&mut limited.because);
     if limited.feed != found.draft.feed {
         found = at(cut, Some(limited.feed), tabulated, shop)?;

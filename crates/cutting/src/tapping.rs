@@ -89,6 +89,7 @@ pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut>
     Ok(DraftConditions {
         feed,
         speed,
+        fastest: None,
         tool_life: life,
         life_exponent,
         coolant: None,

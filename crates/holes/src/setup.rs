@@ -82,14 +82,44 @@ pub fn second_clamping(
     if given || back.iter().all(|plan| plan.transitions.is_empty()) {
         return Ok((None, Vec::new()));
     }
+    let (clamping, findings) = clamping(&turned(part), &back, shop)?;
+    let of_second = |own: Finding| Finding { note: Note::new("in-second-set-up").with("why", own.note), ..own };
+    Ok((clamping, findings.into_iter().map(of_second).collect()))
+}
+
+/// The part as it lies in the second set-up, without the clamps of the first.
+fn turned(part: &Part) -> Part {
     let mut turned = part.clone();
     turned.fixture.clamps.clear();
     for at in turned.holes.iter_mut().flat_map(|hole| &mut hole.at) {
         *at = part.turned_over(*at);
     }
-    let (clamping, findings) = clamping(&turned, &back, shop)?;
-    let of_second = |own: Finding| Finding { note: Note::new("in-second-set-up").with("why", own.note), ..own };
-    Ok((clamping, findings.into_iter().map(of_second).collect()))
+    turned
+}
+
+/// All sets of clamps that hold the part while it is cut from a face, as they are proposed one after another where the file has none.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub fn clampings(
+    part: &Part,
+    holes: &[HolePlan],
+    face: Face,
+    shop: &Shop<'_>,
+) -> Result<Vec<Clamping>, KnowledgeError> {
+    let inset = shop.convention(HoleDefault::ClampInset)?;
+    let own: Vec<HolePlan> = holes.iter().map(|plan| of_face(plan, face)).collect();
+    let turned = (face == Face::Back).then(|| turned(part));
+    let part = turned.as_ref().unwrap_or(part);
+    let mut sets = Vec::new();
+    for places in proposals(part, inset, &shop.machine) {
+        if let Some((clamping, faults)) = clamped(part, &own, places, true, shop)?
+            && faults.is_empty()
+        {
+            sets.push(clamping);
+        }
+    }
+    Ok(sets)
 }
 
 /// A group of holes with what is done here from one face.
@@ -115,7 +145,7 @@ pub fn vice_instead(
     if !clamps.is_empty() || !obstacles.is_empty() || findings.is_empty() {
         return Ok(None);
     }
-    match vice::vice(part, holes, shop)? {
+    match vice(part, holes, shop)? {
         Ok(vice) => {
             findings.clear();
             Ok(Some(vice))
@@ -155,6 +185,7 @@ pub fn own(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Option<Ow
 
 pub use chains::{Chains, chains};
 pub use fixture::{fixture, held_by};
+pub use vice::vice;
 
 /// The force that a transition needs, by the formula that asks for more.
 struct Need<'p> {

@@ -57,8 +57,11 @@ impl<'a> Feeding<'a> {
 /// # Errors
 /// The knowledge base has no answer.
 pub fn cycle(transition: &Feeding<'_>, top: Micrometres, shop: &Shop<'_>) -> Result<Cycle, KnowledgeError> {
-    let solid = transition.operation == Operation::Drill && transition.from == Micrometres::ZERO;
-    let depth = if solid { transition.depth - transition.start } else { Micrometres::ZERO };
+    let fills_flutes = match transition.operation {
+        Operation::Drill => transition.from == Micrometres::ZERO,
+        operation => matches!(operation, Operation::DrillOut | Operation::CoreDrill),
+    };
+    let depth = if fills_flutes { transition.depth - transition.start } else { Micrometres::ZERO };
     let ratio = depth.to_mm() / transition.diameter.to_mm();
     // A countersink that goes round an edge moves as a mill does.
     let goes_round = transition.conditions.rounds.is_some();

@@ -113,7 +113,7 @@ fn by_zero(visit: &ToolVisit, zeros: &[PartZero]) -> Vec<ToolVisit> {
 
 /// The place of a tool in its loading of the magazine, from 1.
 fn place(tool: &ToolPlan, places: usize) -> u32 {
-    let places = u32::try_from(places).unwrap_or(u32::MAX).max(1);
+    let places = u32::try_from(places).unwrap_or(u32::MAX);
     (tool.number.max(1) - 1) % places + 1
 }
 

@@ -69,6 +69,7 @@ vocabulary! {
         MillCoreShare = "mill-core-share",
         EdgeClearance = "edge-clearance-mm",
         ReamerLeastShare = "reamer-least-share",
+        CoreDrillLeastShare = "core-drill-least-share",
         FinestBoughtGrade = "finest-bought-grade",
         CoarsestBoughtGrade = "coarsest-bought-grade",
         CutterGrindShare = "cutter-grind-share",

@@ -328,6 +328,7 @@ rows! {
     /// The step of the spindle series for a computed speed.
     pub struct SpindleStep of One("spindle-step") asked by SpindleStepFor {
         excess: Percent,
+        beyond_practice: bool,
     } {
         take: Neighbour,
     }

@@ -268,7 +268,7 @@ const APPENDIX: &[(&str, &str, Option<u32>, &str)] = &[
     ("doubtful", "correction-otherwise", Some(1), "12"),
     ("doubtful", "correction-otherwise", Some(1), "10"),
     ("doubtful", "deeper", Some(1), "5"),
-    ("doubtful", "other-speed", Some(1), "5"),
+    ("wrong", "other-speed", Some(1), "5"),
     ("doubtful", "other-feed", Some(1), "5"),
     ("doubtful", "coolant-missing", Some(1), "5"),
     ("doubtful", "deeper", Some(1), "3"),

@@ -144,8 +144,14 @@ fn a_program_that_leaves_work_undone_is_not_written_unless_forced_and_says_so() 
         let setting = technolog(&folder, &["program", "part.yaml", "--show", "setting", "--lang", "en"]);
         let setting = String::from_utf8(setting.stdout).unwrap();
         assert!(setting.starts_with("# Unfinished: "), "{setting}");
-        // The plan leaves to another machine what is that machine's.
-        let planned = technolog(&folder, &["plan", "part.yaml"]).status.code();
-        assert_eq!(planned, Some(i32::from(!left)), "{name}");
+        // The plan and the report say so, too.
+        for command in [&["plan", "part.yaml"][..], &["explain", "part.yaml", "--hole", &remark[13..14]]] {
+            let told = technolog(&folder, &[command, &["--lang", "en"]].concat());
+            let page = String::from_utf8(told.stdout).unwrap();
+            assert_eq!(told.status.code(), Some(1), "{name}: {page}");
+            assert!(!left || command[0] == "explain" || page.contains("left to another machine"), "{name}: {page}");
+        }
+        let report = technolog(&folder, &["report", "part.yaml", "-o", "part.md", "--lang", "en"]);
+        assert_eq!(report.status.code(), Some(1), "{name}");
     }
 }

@@ -149,3 +149,34 @@ fn a_knowledge_folder_has_files_only_and_is_walked_once() {
     assert!(answer.beside.contains("pipe.yaml: this is not a file but a pipe or a device"), "{}", answer.beside);
     assert!(answer.beside.contains("error[too-large]: "), "{}", answer.beside);
 }
+
+/// A rule of the shop over the shipped one: a step of the spindle below the computed speed always. The other tables stay, the last layer
+/// is on top, and a mistake in a layer is shown with its own file.
+#[test]
+fn tables_of_a_shop_lie_over_those_that_are_shipped() {
+    let folder = folder("layers");
+    let shipped = fs::read_to_string(root().join("rules/spindle-step.yaml")).unwrap();
+    let below = shipped.replace("take: above,", "take: below,");
+    for (layer, text) in
+        [("shop", &below), ("again", &shipped), ("broken", &below.replace("take: below", "take: beside"))]
+    {
+        for inside in ["catalogs", "rules"] {
+            fs::create_dir_all(folder.join(layer).join(inside)).unwrap();
+        }
+        fs::write(folder.join(layer).join("rules/spindle-step.yaml"), text).unwrap();
+    }
+    let ask = ["lookup", "spindle-step", "excess=5", "beyond_practice=false", "--lang", "en", "--format", "json"];
+    for (layers, taken) in
+        [(&[][..], "above"), (&["--with", "shop"], "below"), (&["--with", "shop", "--with", "again"], "above")]
+    {
+        let answer = command(&folder, &[&ask[..], layers].concat(), b"");
+        let shown = answer.answer.contains(&format!("\"{taken}\""));
+        assert!(answer.code == Some(0) && shown, "{layers:?}: {}{}", answer.answer, answer.beside);
+    }
+    let other = command(&folder, &["lookup", "A.11", "diameter=8", "--with", "shop"], b"");
+    assert_eq!(other.code, Some(0), "{}", other.beside);
+    for (layer, named) in [("broken", "broken/rules/spindle-step.yaml:"), ("nowhere", "nowhere")] {
+        let answer = command(&folder, &[&ask[..], &["--with", layer]].concat(), b"");
+        assert!(answer.code == Some(2) && answer.beside.contains(named), "{layer}: {}", answer.beside);
+    }
+}

@@ -165,7 +165,7 @@ fn by_factors<'a>(
 }
 
 /// The spindle step: a step of the machine's series, by the rule `spindle-step`; another step is judged by the rule
-/// `audit-spindle`.
+/// `audit-spindle`. How far practice lets a step go is not asked here: a speed beyond it has a finding of its own.
 fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Result<(), KnowledgeError> {
     let conditions = &context.stated.conditions[at];
     let id = |quantity| Id::new(Scope::Conditions(at), quantity);
@@ -182,7 +182,7 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     }
     let step = move |values: &[f64]| {
         let computed = RevsPerMinute(*values.first()?);
-        cutting::spindle_step(computed, shop).ok().map(|(step, ..)| step.0)
+        cutting::spindle_step(computed, None, shop).ok().map(|(step, ..)| step.0)
     };
     let series = shop.machine.row(MachineQuantity::SpindleSpeeds)?;
     let mut formula = formula(&STEP, id(Q::Rpm), vec![id(Q::RpmComputed)], "", step);
@@ -205,7 +205,7 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
 
 fn judge_step(context: &Context<'_>, value: f64, computed: f64) -> Judged {
     let shop = &context.shop;
-    let (right, ..) = cutting::spindle_step(RevsPerMinute(computed), shop).ok()?;
+    let (right, ..) = cutting::spindle_step(RevsPerMinute(computed), None, shop).ok()?;
     if (right.0 - value).abs() < 1e-6 {
         return None;
     }

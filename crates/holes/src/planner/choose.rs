@@ -291,7 +291,7 @@ impl<'a, 'k> Chooser<'a, 'k> {
 
     /// The time to load by hand what so many tools have no place for in the magazine.
     fn loading(&self, tools: usize) -> Minutes {
-        let beyond = tools.saturating_sub(self.shop.machine.magazine.max(1));
+        let beyond = tools.saturating_sub(self.shop.machine.magazine);
         Minutes(self.load_tool.0 * beyond as f64)
     }
 

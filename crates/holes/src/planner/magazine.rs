@@ -125,7 +125,7 @@ pub(super) fn number_tools(
     };
     tools.sort_by_key(|(rank, tool)| (of_back(tool), *rank));
     let tools: Vec<Rc<FittedTool>> = tools.into_iter().map(|(_, tool)| tool).collect();
-    let places = shop.machine.magazine.max(1);
+    let places = shop.machine.magazine;
     if tools.len() > places {
         // Tools beyond the magazine are loaded by hand: the last ones, when the tools before them have finished.
         let by_hand = tools.len() - places;

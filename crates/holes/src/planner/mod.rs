@@ -14,6 +14,7 @@
 mod choose;
 mod finer;
 mod fit;
+mod holding;
 mod magazine;
 mod names;
 mod nearest;
@@ -27,7 +28,7 @@ use crate::knowledge::Knowledge;
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Clamping, CuttingMethod, Feature, HolePlan, Operation, Plan, Preference, Route, Setup, Times};
+use crate::plan::{Clamping, CuttingMethod, Feature, Operation, Plan, Preference, Route, Setup, Times};
 use crate::route::Remark;
 use crate::shop::Shop;
 use crate::tables::cutting::Process;
@@ -129,23 +130,29 @@ pub fn plan_by(
     }
     let (holes, tools) = magazine::number_tools(part, drafts, &shop, &mut findings);
 
-    let entry: Vec<HolePlan> = holes.iter().map(|plan| setup::of_face(plan, Face::Entry)).collect();
-    let (clamping, mut of_clamping) = setup::clamping(part, &entry, &shop)?;
-    let vice = setup::vice_instead(part, &holes, &mut of_clamping, &shop)?;
-    if let Some(clamping) = &clamping {
+    let visits = sequence::sequence(part, &holes, &shop.machine, None);
+    let bare = Plan {
+        part: part.clone(),
+        cutting: method,
+        holes,
+        tools,
+        clamping: None,
+        setup: Setup::default(),
+        sequence: visits,
+        visiting: Vec::new(),
+        time: Times::default(),
+        findings: Vec::new(),
+    };
+    let (mut plan, of_holding) = holding::held(bare, &shop)?;
+    if let Some(clamping) = &plan.clamping {
         findings.extend(start_point(part, clamping, &shop)?);
     }
-    findings.extend(of_clamping);
-    // A vice holds the part in both set-ups.
-    let second = if vice.is_none() { setup::second_clamping(part, &holes, &shop)? } else { (None, Vec::new()) };
-    let (second_clamping, of_second) = second;
-    findings.extend(of_second);
-    let held = setup::held_by(part, vice.as_ref(), clamping.as_ref());
-    let setup::Chains { zeros, chains, findings: of_chains } = setup::chains(part, &holes, held, &shop)?;
+    findings.extend(of_holding);
+    let held = setup::held_by(part, plan.setup.vice.as_ref(), plan.clamping.as_ref());
+    let setup::Chains { zeros, chains, findings: of_chains } = setup::chains(part, &plan.holes, held, &shop)?;
     findings.extend(of_chains);
-    let own = setup::own(part, &holes, &shop)?;
-    let visits = sequence::sequence(part, &holes, &shop.machine, None);
-    let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
+    let own = setup::own(part, &plan.holes, &shop)?;
+    plan.visiting = sequence::visiting::visiting(part, &plan.holes, &shop, &mut findings)?;
     let off_table = zone::off_table(part, &shop)?;
     findings.extend(off_table.iter().map(|fault| Finding::of_part(fault.severity(), fault.note())));
     findings.extend(names::lookalike_names(part));
@@ -154,18 +161,8 @@ pub fn plan_by(
         let by = (Process::Drilling, ToolMaterial::HighSpeedSteel);
         findings.extend(technolog_cutting::state::without_force(&shop.material, state, by, knowledge)?);
     }
-    let mut plan = Plan {
-        part: part.clone(),
-        cutting: method,
-        holes,
-        tools,
-        clamping,
-        setup: Setup { vice, second_clamping, own, zeros, chains, ..Setup::default() },
-        sequence: visits,
-        visiting,
-        time: Times::default(),
-        findings,
-    };
+    plan.setup = Setup { own, zeros, chains, ..plan.setup };
+    plan.findings = findings;
     sequence::timed(&mut plan, &shop)?;
     // Every plan is checked by the proof, however it was chosen.
     plan.findings.extend(technolog_proof::prove(&plan, &shop)?);

@@ -125,12 +125,13 @@ pub fn task(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<Task, Knowledge
     task_with_run_out(hole, part, HoleDefault::ThreadRunoutPitches, shop)
 }
 
-/// Whether no core drill of a hole's size reaches its end: one that is at most a tenth thinner, on its own flutes or on an arbor
-/// that follows it in.
+/// Whether no core drill of a hole's size reaches its end, on its own flutes or on an arbor that follows it in. How thin one of its
+/// size may be is the convention `core-drill-least-share`.
 fn beyond_core_drills(hole: &Hole, part: &Part, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
     let nominal = hole.diameter.nominal;
     let needed = hole.depth + zone::approach(part, hole.through, shop.knowledge)?.overrun;
-    let of_size = |own: Micrometres| own <= nominal && own >= nominal.ratio(9, 10);
+    let thinnest = Micrometres::from_mm_rounded(nominal.to_mm() * shop.share(HoleDefault::CoreDrillLeastShare)?);
+    let of_size = |own: Micrometres| own <= nominal && own >= thinnest;
     let reaches = |row: &CutterRow<'_>| row.bore.is_some() || row.flute_length.is_none_or(|flutes| flutes >= needed);
     let core_drills = shop.shelf.cutters_for(Operation::CoreDrill)?;
     Ok(!core_drills.into_iter().any(|row| row.diameter.is_some_and(of_size) && reaches(row)))

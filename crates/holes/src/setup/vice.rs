@@ -17,7 +17,7 @@ use super::{Load, constant, loads_of};
 ///
 /// # Errors
 /// The knowledge base has no answer.
-pub(super) fn vice(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Result<Vice, Note>, KnowledgeError> {
+pub fn vice(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Result<Vice, Note>, KnowledgeError> {
     let rows: Vec<MachineVice<'_>> = shop.knowledge.rows()?;
     let parallels: Vec<Parallels<'_>> = shop.knowledge.rows()?;
     let limits = Limits::read(shop)?;

@@ -16,6 +16,7 @@ boring-feed = boring feed { $feed } mm/rev
 boring-finish-feed = feed by roughness { $feed } mm/rev
 too-fine-to-bore = { $roughness } is finer than boring can give
 spindle-step = computed { $computed }; steps { $below } and { $above } ({ $excess } % above): { $step } rpm
+spindle-step-in-practice = computed { $computed }; steps { $below } and { $above }; the upper one is faster than practice, { $fastest } rpm at most: { $step } rpm
 spindle-fastest = computed { $computed } is above the top: { $step } rpm
 spindle-slowest = computed { $computed } is below the lowest: { $step } rpm
 feed-reduced = feed reduced from { $from } to { $to } mm/rev: { $by }, limit { $limit }

@@ -2,6 +2,7 @@
 help-technolog = Process planning for holes and turned parts: a knowledge base and its rules
 help-technolog-lang = Language of the answers: uk or en (by default from the variable LANG, otherwise uk)
 help-technolog-knowledge = Folder with catalogs/ and rules/ instead of the embedded knowledge
+help-technolog-with = Folder whose catalogs/ and rules/ lie over the others, file by file; may be given several times
 help-technolog-format = Form of the answer: text, json, yaml, hand, csv, svg, markdown, html, docx, xlsx or junit; each command has some of them
 help-formats = Form of the answer: { $formats }; by default the first
 help-formats-of-folder = Form of the answer: { $formats }; for a folder also { $more }; by default the first

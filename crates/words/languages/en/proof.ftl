@@ -59,8 +59,8 @@ holder-through-obstacle = T{ $tool }: { $whose ->
        *[nose] the spindle nose
     }, Ø{ $diameter }, comes down to Z{ $made } beside a clamp or an obstacle at { $at } that stands up to Z{ $needed }
     .help = take a longer tool, or stand it farther away or lower
-holder-unknown = T{ $tool }: how thick the holder { $own } is nobody says; if as thick as its collar, Ø{ $diameter }, it meets at Z{ $made } a clamp or an obstacle at { $at } that stands up to Z{ $needed }
-    .help = measure it: up to Ø{ $free } it passes here (then say so in tables of your own, --knowledge: max_diameter of its row); else stand the clamp { $aside } mm farther from this way, or take one that is { $lower } mm lower
+holder-unknown = { $tools }: how thick the holder { $own } is nobody says; if as thick as its collar, Ø{ $diameter }, it meets what stands at { $points }; worst at { $at }: T{ $tool } brings it down to Z{ $made } beside what stands up to Z{ $needed }
+    .help = measure it: up to Ø{ $free } it passes everywhere (then say so in tables of your own, --with: max_diameter of its row); else stand what it meets { $aside } mm farther from its ways, or { $lower } mm lower
 holder-into-part = T{ $tool }: the holder { $own }, Ø{ $diameter }, comes down to Z{ $made } at { $at }, and the face of the part is at Z{ $needed }
     .help = take a longer tool
 rapid-into-part = a rapid into the metal at { $at } to Z{ $z }

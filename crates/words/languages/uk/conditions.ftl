@@ -16,6 +16,7 @@ boring-feed = подача розточування { $feed } мм/об
 boring-finish-feed = подача за шорсткістю { $feed } мм/об
 too-fine-to-bore = { $roughness } розточуванням не досягти
 spindle-step = розрахункова частота { $computed }; сусідні ступені частоти обертання { $below } і { $above } (вищий на { $excess } %): { $step } об/хв
+spindle-step-in-practice = розрахункова частота { $computed }; сусідні ступені частоти обертання { $below } і { $above }; вищий швидший за практику, яка має щонайбільше { $fastest } об/хв: { $step } об/хв
 spindle-fastest = розрахункова частота { $computed } вища за найбільшу: { $step } об/хв
 spindle-slowest = розрахункова частота { $computed } нижча за найменшу: { $step } об/хв
 feed-reduced = подачу зменшено з { $from } до { $to } мм/об: { $by }, межа { $limit }

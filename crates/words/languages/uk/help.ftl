@@ -2,6 +2,7 @@
 help-technolog = Проєктування технологічних процесів оброблення отворів і токарних деталей: база знань і правила
 help-technolog-lang = Мова відповідей: uk або en (якщо не вказано, за змінною LANG, інакше uk)
 help-technolog-knowledge = Тека з catalogs/ і rules/ замість вбудованої бази знань
+help-technolog-with = Тека, чиї catalogs/ і rules/ лягають поверх інших, файл за файлом; можна задати кілька разів
 help-technolog-format = Формат відповіді: text, json, yaml, hand, csv, svg, markdown, html, docx, xlsx або junit; кожна команда має деякі з них
 help-formats = Формат відповіді: { $formats }; якщо не вказано – перший
 help-formats-of-folder = Формат відповіді: { $formats }; для теки також { $more }; якщо не вказано – перший

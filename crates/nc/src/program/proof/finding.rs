@@ -141,6 +141,7 @@ named! {
         Operation = "operation",
         Instead = "instead",
         Tool = "tool",
+        Tools = "tools",
         Place = "place",
         Plan = "plan",
         Other = "other",

@@ -2,6 +2,7 @@
 //! with the cutter, its holder and the nose of the spindle.
 
 use super::cuts::same_position;
+use super::finding::DeviationFigure;
 use super::tools::Tools;
 use super::walk::{PointVisit, TipMotion, TipMove};
 use super::{Code, Name, ObservedCuts, ProgramFinding, ProofInput};
@@ -14,6 +15,7 @@ use crate::units::Micrometres;
 /// block.
 pub(super) fn all(made: &ObservedCuts, tools: &Tools, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let face = input.plan.part.datum.top;
+    let mut unknown = Vec::new();
     for stay in &made.walk.visits {
         let Some(setup) = input.job.setups.get(stay.setup) else { continue };
         let number = tools.of_section(stay.section);
@@ -36,10 +38,51 @@ pub(super) fn all(made: &ObservedCuts, tools: &Tools, input: &ProofInput<'_>, fi
                 continue;
             }
             if let Some(envelope) = envelope {
-                findings.extend(holder(envelope, motion, stay, &setup.standing, input));
+                let found = holder(envelope, motion, stay, &setup.standing, input);
+                let of_unknown = found.as_ref().is_some_and(|found| found.code == Code::HolderUnknown);
+                if of_unknown { &mut unknown } else { &mut *findings }.extend(found);
             }
         }
     }
+    findings.extend(one_for_each_holder(unknown));
+}
+
+/// One finding for each holder of unknown thickness, which is one cause: the worst of its own, with all its tools and all that it
+/// would meet.
+fn one_for_each_holder(found: Vec<ProgramFinding>) -> impl Iterator<Item = ProgramFinding> {
+    let mut of_holders: Vec<Vec<ProgramFinding>> = Vec::new();
+    for finding in found {
+        let same = |other: &ProgramFinding| {
+            let alike = |name| other.figures.get(&name) == finding.figures.get(&name);
+            other.severity == finding.severity && alike(Name::Own) && alike(Name::Diameter)
+        };
+        match of_holders.iter_mut().find(|known| known.first().is_some_and(same)) {
+            Some(known) => known.push(finding),
+            None => of_holders.push(vec![finding]),
+        }
+    }
+    of_holders.into_iter().filter_map(|all| {
+        let (mut tools, mut points) = (Vec::new(), Vec::new());
+        for finding in &all {
+            tools.extend(finding.tool().filter(|tool| !tools.contains(tool)));
+            if let Some(DeviationFigure::Point(at)) = finding.figures.get(&Name::At)
+                && !points.contains(at)
+            {
+                points.push(*at);
+            }
+        }
+        let length = |finding: &ProgramFinding, name| match finding.figures.get(&name) {
+            Some(DeviationFigure::Length(length)) => *length,
+            _ => Micrometres::ZERO,
+        };
+        let most = |name| all.iter().map(|finding| length(finding, name)).max().unwrap_or_default();
+        let (aside, lower) = (most(Name::Aside), most(Name::Lower));
+        // The first of those that leave the least room.
+        let worst = all.iter().min_by_key(|finding| length(finding, Name::Free))?.clone();
+        let tools: Vec<String> = tools.iter().map(|tool| format!("T{tool}")).collect();
+        let worst = worst.with(Name::Tools, tools.join(", ")).with(Name::Points, points);
+        Some(worst.with(Name::Aside, aside).with(Name::Lower, lower))
+    })
 }
 
 /// The holder, its collar or the nose of the spindle in a clamp, in an obstacle or in the part.

@@ -13,6 +13,7 @@ use crate::turning::tooling::Lathe;
 use crate::units::{MetresPerMinute, MillimetresPerRev, NewtonMetres, Newtons, RevsPerMinute, round_to};
 use technolog_cutting::figures::Asking;
 use technolog_cutting::laws::LoadLaw;
+use technolog_cutting::practice::SecondOpinion;
 use technolog_cutting::{Cut, handbook, practice, rpm_at, speed_at, tapping};
 
 use super::super::refused::{NoJob, Operation, of_tables};
@@ -55,7 +56,8 @@ pub(super) fn pace(cut: &Cut, lathe: &Lathe<'_>, bench: &Bench<'_, '_>) -> Tried
     because.extend(of_life.into_iter().chain(law.speed_because).chain(law.loads_because));
     let (diameter, depth_of_cut) = (cut.diameter.to_mm(), (cut.diameter - cut.from).to_mm() / 2.0);
     let wanted = MetresPerMinute(law.speed.at(diameter, depth_of_cut, feed.0, life.0) * speed_factor);
-    let (wanted, _, of_practice) = practice::second_opinion(wanted, cut, &bench.material, bench.knowledge)?;
+    let SecondOpinion { speed: wanted, because: of_practice, .. } =
+        practice::second_opinion(wanted, cut, &bench.material, bench.knowledge)?;
     because.extend(of_practice);
     let rpm = lathe.spindle.at_most(rpm_at(wanted, cut.diameter)).rounded(2);
     if let Some((torque, thrust)) = law.loads {
@@ -107,7 +109,8 @@ pub(super) fn tap_pace(
 ) -> Tried<AxialConditions, NoJob> {
     let law = tapping::law(cut, bench).map_err(|refusal| of_tables(Operation::Tapping, refusal))?;
     let mut because = law.because;
-    let (wanted, _, of_practice) = practice::second_opinion(law.speed, cut, &bench.material, bench.knowledge)?;
+    let SecondOpinion { speed: wanted, because: of_practice, .. } =
+        practice::second_opinion(law.speed, cut, &bench.material, bench.knowledge)?;
     because.extend(of_practice);
     let pitch = cut.pitch.unwrap_or_default().to_mm();
     let mut rpm = rpm_at(wanted, cut.diameter).0.min(most.0).min(lathe.feed_z.1.0 / pitch);

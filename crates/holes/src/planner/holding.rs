@@ -1,0 +1,167 @@
+//! What holds the part: clamps of the plan's own must not be the reason why a tool does not reach its depth.
+
+use std::collections::BTreeMap;
+
+use crate::error::KnowledgeError;
+use crate::job::{self, Body};
+use crate::note::{Finding, Note, Severity};
+use crate::part::{Face, Standing};
+use crate::plan::{Clamping, HolePlan, Plan};
+use crate::sequence;
+use crate::setup;
+use crate::shop::Shop;
+use crate::units::Micrometres;
+
+/// Of so many clamps one set is tried so often at most.
+const MOST_SETS: usize = 40;
+
+/// The plan with clamps or a vice, and what is to be said of them.
+///
+/// Straps of the plan's own stand over the face, and tools go over them: the quill may then lack the travel for the depth of a hole.
+/// Other places are tried, with them more and lower straps, and a vice, until the job runs as it would with nothing on the face. Where
+/// nothing helps, the plan has no clamps, and the finding says how low a fixture must be.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub(super) fn held(mut plan: Plan, shop: &Shop<'_>) -> Result<(Plan, Vec<Finding>), KnowledgeError> {
+    let entry: Vec<HolePlan> = plan.holes.iter().map(|one| setup::of_face(one, Face::Entry)).collect();
+    let (clamping, mut findings) = setup::clamping(&plan.part, &entry, shop)?;
+    plan.clamping = clamping;
+    plan.setup.vice = setup::vice_instead(&plan.part, &plan.holes, &mut findings, shop)?;
+    // A vice holds the part in both set-ups.
+    if plan.setup.vice.is_none() {
+        let (clamping, of_second) = setup::second_clamping(&plan.part, &plan.holes, shop)?;
+        plan.setup.second_clamping = clamping;
+        findings.extend(of_second);
+    }
+    for face in [Face::Entry, Face::Back] {
+        let (cleared, finding) = out_of_the_way(plan, face, shop)?;
+        plan = cleared;
+        findings.extend(finding);
+    }
+    Ok((plan, findings))
+}
+
+/// The plan with clamps of its own on a face that keep no tool from its work.
+fn out_of_the_way(plan: Plan, face: Face, shop: &Shop<'_>) -> Result<(Plan, Option<Finding>), KnowledgeError> {
+    let Some(own) = clamping_of(&plan, face).filter(|own| own.proposed) else { return Ok((plan, None)) };
+    let with = faults(&plan, shop)?;
+    if with.is_empty() {
+        return Ok((plan, None));
+    }
+    let bare = clamped(&plan, face, None);
+    let without = faults(&bare, shop)?;
+    let own_fault = with.into_iter().find(|(fault, _)| !without.contains_key(fault));
+    let Some((_, why)) = own_fault else { return Ok((plan, None)) };
+    let (mut tried, mut best): (BTreeMap<usize, usize>, Option<(usize, Plan)>) = (BTreeMap::new(), None);
+    for set in setup::clampings(&plan.part, &plan.holes, face, shop)? {
+        let count = tried.entry(set.clamps.len()).or_default();
+        *count += 1;
+        if *count > MOST_SETS {
+            continue;
+        }
+        let other = clamped(&plan, face, Some(set));
+        if !is_as_good(&other, &without, shop)? {
+            continue;
+        }
+        // Of sets that leave the quill its travel the one that fewest holders come near to.
+        let near = near_straps(&other, shop)?;
+        if best.as_ref().is_none_or(|(least, _)| near < *least) {
+            best = Some((near, other));
+        }
+        if near == 0 {
+            break;
+        }
+    }
+    if let Some((0, best)) = best {
+        return Ok((best, None));
+    }
+    let obstacles = !plan.part.fixture.obstacles.is_empty();
+    if face == Face::Entry
+        && !obstacles
+        && let Ok(vice) = setup::vice(&plan.part, &plan.holes, shop)?
+    {
+        let mut other = bare.clone();
+        other.setup.second_clamping = None;
+        other.setup.vice = Some(vice);
+        if is_as_good(&other, &without, shop)? {
+            return Ok((other, None));
+        }
+    }
+    if let Some((_, best)) = best {
+        return Ok((best, None));
+    }
+    let height = own.strap.map(|strap| strap.height_mm).unwrap_or_default();
+    let most = lowest(&plan, face, &without, shop)?;
+    let note = Note::new("straps-in-the-way").with("why", why).with("height", height).with("most", most);
+    let note = if face == Face::Back { Note::new("in-second-set-up").with("why", note) } else { note };
+    Ok((bare, Some(Finding::of_part(Severity::Doubtful, note))))
+}
+
+/// How high what stands at the places of the straps may be, in whole mm.
+fn lowest(plan: &Plan, face: Face, without: &Faults, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
+    let Some(own) = clamping_of(plan, face) else { return Ok(Micrometres::ZERO) };
+    let mut lower = own.clone();
+    let step = Micrometres::from_mm_rounded(1.0);
+    while let Some(strap) = &mut lower.strap
+        && strap.height_mm > step
+    {
+        strap.height_mm = strap.height_mm - step;
+        if is_as_good(&clamped(plan, face, Some(lower.clone())), without, shop)? {
+            break;
+        }
+    }
+    Ok(lower.strap.map(|strap| strap.height_mm).unwrap_or_default())
+}
+
+fn clamping_of(plan: &Plan, face: Face) -> Option<&Clamping> {
+    plan.clamping_of(if face == Face::Back { 2 } else { 1 })
+}
+
+/// The plan with other clamps on a face.
+fn clamped(plan: &Plan, face: Face, clamping: Option<Clamping>) -> Plan {
+    let mut plan = plan.clone();
+    match face {
+        Face::Entry => plan.clamping = clamping,
+        Face::Back => plan.setup.second_clamping = clamping,
+    }
+    plan
+}
+
+/// What keeps the job of a plan from running on the machine: by its code and tool, whatever its figures are.
+type Faults = BTreeMap<(String, Option<String>), Note>;
+
+fn faults(plan: &Plan, shop: &Shop<'_>) -> Result<Faults, KnowledgeError> {
+    let mut timed = plan.clone();
+    timed.findings.clear();
+    sequence::timed(&mut timed, shop)?;
+    let wrong = timed.findings.into_iter().filter(|finding| finding.severity <= Severity::Wrong);
+    Ok(wrong.map(|Finding { note, .. }| ((note.code().to_owned(), note.figure_text("tool")), note)).collect())
+}
+
+/// How many tools come so deep that what is above their cutters meets a strap of the plan's own.
+fn near_straps(plan: &Plan, shop: &Shop<'_>) -> Result<usize, KnowledgeError> {
+    let job = job::make(plan, shop)?;
+    let top = plan.part.datum.top;
+    let mut near = 0;
+    for setup in &job.setups {
+        let straps: Vec<&Standing> = setup.standing.iter().filter(|one| one.proposed).collect();
+        for work in &setup.works {
+            let bodies = job.envelopes.iter().filter(|one| one.tool == work.tool).flat_map(|one| &one.bodies);
+            let meets = |body: &Body| {
+                work.stops.iter().any(|stop| {
+                    let low = work.cycles.get(stop.cycle).map_or(top, |cycle| cycle.end) + body.from;
+                    let hit = |one: &&&Standing| one.outline.is_hit(stop.at, stop.at, body.diameter.half());
+                    straps.iter().filter(|one| low < top + one.height).any(|one| hit(&one))
+                })
+            };
+            near += usize::from(bodies.into_iter().any(meets));
+        }
+    }
+    Ok(near)
+}
+
+/// Whether a plan has no fault beside those of another.
+fn is_as_good(plan: &Plan, without: &Faults, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+    Ok(faults(plan, shop)?.keys().all(|fault| without.contains_key(fault)))
+}
