@@ -28,6 +28,8 @@ pub(super) struct Features {
     pub groove: Option<(Groove, Place)>,
     pub state: BlankHole,
     pub state_diameter: Option<Place>,
+    /// Whether the file says, rightly or not, that the blank has the hole.
+    pub opened: bool,
     pub outer_wall: bool,
 }
 
@@ -174,6 +176,7 @@ impl Reader<'_> {
         let choices: &[(&str, Kind)] =
             &[("solid", None), ("cast", Some(BlankHole::Cast)), ("pre-machined", Some(BlankHole::PreMachined))];
         let kind = fields.take(form::Hole::state).map_or(Some(None), |node| self.choice(node, choices));
+        features.opened = !matches!(kind, Some(None));
         let wall_node = fields.take(form::Hole::outer_wall);
         let outer_wall = wall_node.and_then(|node| self.problems.boolean(node)) == Some(true);
         let remedy = note!("part-say-state-cast-state-pre");
