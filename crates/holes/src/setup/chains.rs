@@ -218,7 +218,11 @@ impl Measured<'_, '_> {
                 if face == other_face && zero == of_base {
                     terms.push(ChainError::Axis, field.max(other));
                     // Were the figures of two holes to each other, the field would end here.
-                    terms.all.push(ChainTerm { what: ChainError::OtherAxis, field_mm: field.min(other), unconfirmed: true });
+                    terms.all.push(ChainTerm {
+                        what: ChainError::OtherAxis,
+                        field_mm: field.min(other),
+                        unconfirmed: true,
+                    });
                     terms.because.push(self.errors.both_axes.clone());
                 } else {
                     terms.push(ChainError::Axis, field);
