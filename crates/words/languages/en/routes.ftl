@@ -104,6 +104,7 @@ no-tap = no tap { $thread } in the { $tables-count ->
         [1] table
        *[other] tables
     } { $tables }
+no-taper-reamer = the cone 1:{ $ratio } to Ø{ $diameter } takes a taper reamer after drilling in steps, and the catalogs have none, for no page at hand gives their lengths: the cone stays undone; plan the cylinder here and ream the cone by hand
 no-cone-of-angle = no countersink of { $angle }° (to Ø{ $diameter }); the { $tables-count ->
         [1] table
        *[other] tables
