@@ -88,6 +88,8 @@ pub enum Fault {
     BarSlender { operation: Operation, reach: Micrometres, bar: Micrometres, ratio: f64 },
     /// A pass sets the edge of a boring bar outside the range that the bar has.
     BarOutOfRange { operation: Operation, set: Micrometres, smallest: Micrometres, largest: Micrometres },
+    /// A boring bar is set wider than the machine takes tools.
+    BarBeyondMachine { operation: Operation, set: Micrometres, largest: Micrometres },
     /// A boring bar is as thick as the hole that it enters, or thicker.
     BarEnters { operation: Operation, bar: Micrometres, hole: Micrometres },
     /// A wall is thinner than such a wall may be.
@@ -198,6 +200,9 @@ impl Fault {
                 .with("set", set)
                 .with("smallest", smallest)
                 .with("largest", largest),
+            Self::BarBeyondMachine { operation, set, largest } => {
+                of("proof-bar-beyond-machine", operation).with("set", set).with("largest", largest)
+            }
             Self::BarEnters { operation, bar, hole } => {
                 of("proof-bar-enters", operation).with("bar", bar).with("hole", hole)
             }

@@ -25,6 +25,7 @@ pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fau
         buckles(transition, shop)?,
         slender(transition, shop)?,
         out_of_range(transition, shop)?,
+        beyond_machine(transition, shop),
         too_thick(transition, shop)?,
     ];
     Ok(found.into_iter().flatten().collect())
@@ -147,6 +148,14 @@ fn out_of_range(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault
     let first = from + (to - from).ratio(1, i64::from(transition.passes.max(1)));
     let outside = [to, first].into_iter().find(|set| !(smallest..=largest).contains(set));
     Ok(outside.map(|set| Fault::BarOutOfRange { operation, set, smallest, largest }))
+}
+
+/// Checks that the machine takes a tool as wide as the bar is set.
+fn beyond_machine(transition: &Transition, shop: &Shop<'_>) -> Option<Fault> {
+    let (operation, set) = (transition.operation, transition.diameter_mm);
+    let largest = shop.machine.tool_diameter_max;
+    let beyond = operation.is_boring() && !transition.elsewhere && set > largest;
+    beyond.then_some(Fault::BarBeyondMachine { operation, set, largest })
 }
 
 /// Checks that a boring bar enters the hole that it widens.

@@ -58,6 +58,7 @@ vocabulary! {
         FreeSizeGrade = "free-size-grade",
         SmallestDiameter = "smallest-diameter-mm",
         LargestDiameter = "largest-diameter-mm",
+        LargestOpened = "largest-opened-diameter-mm",
         ThreadHoleGrade = "thread-hole-grade",
         SettingStep = "setting-step-mm",
         ClampInset = "clamp-inset-mm",

@@ -5,6 +5,9 @@ use proptest::prelude::*;
 
 use technolog::note::Severity;
 use technolog::plan::{Operation, Plan, Transition};
+use technolog::program::Setting;
+use technolog::program::proof::PlannedJob;
+use technolog::program::written::Form;
 use technolog::proof::{Fault, prove_hole};
 use technolog::shop::Shop;
 use technolog_testing::{KNOWLEDGE, plan_of_hole, plan_of_hole_by_tables};
@@ -296,4 +299,53 @@ proptest! {
         };
         never_slower(material, thickness, &keys).map_err(TestCaseError::fail)?;
     }
+}
+
+/// Holes that the blank has, wider than the drills: every program of one reads back as its job, and its motions cut what the part
+/// asks, on the machine that makes it.
+#[test]
+fn programs_of_wide_holes_are_proven_on_every_control() {
+    for (machine, keys) in [
+        ("gf2171", "diameter: 120H7, through: true, roughness: Ra 1.6, state: cast, state_diameter: 110"),
+        (
+            "haas-vf5-50",
+            "diameter: 160H8, depth: 40, bottom: flat, roughness: Ra 3.2, state: cast, state_diameter: 150",
+        ),
+    ] {
+        let keys = format!("{keys}, centre_tolerance: 0.3, at: [[0, 0]]");
+        let plan = without_errors(plan_of_hole("СЧ20", machine, "60", &keys), &keys);
+        let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
+        for (control, language) in technolog_testing::languages() {
+            let mut planned = PlannedJob::of(plan.clone(), &language, &KNOWLEDGE).unwrap();
+            let text = language.write(&planned.job, Form::read(&shop).unwrap()).text();
+            let mut setting = Setting::of_job(&planned.job);
+            planned.set(&mut setting);
+            let mut moves = Vec::new();
+            language.check(&text, &shop.machine, &setting, &mut moves);
+            let findings = planned.prove(&moves, &setting).findings;
+            assert!(findings.is_empty(), "{control} {machine}: {findings:?}\n{text}");
+        }
+    }
+}
+
+/// Textbook, l. 1071: the machine takes tools up to 125 mm. A bar is as wide as it is set, so Ø124 is bored here and Ø126 is not; the
+/// proof finds it by itself in a plan that says otherwise.
+#[test]
+fn a_bar_is_as_wide_as_it_is_set() {
+    let keys = |size: u32| {
+        let opened = size - 8;
+        format!(
+            "diameter: {size}H7, through: true, roughness: Ra 1.6, state: cast, state_diameter: {opened}, centre_tolerance: 0.3"
+        )
+    };
+    honest("СЧ20", 60.0, &keys(124));
+    let wide = plan("СЧ20", 60.0, &keys(126));
+    assert!(wide.holes[0].route.is_none());
+    let there =
+        without_errors(plan_of_hole("СЧ20", "haas-vf5-50", "60", &format!("{}, at: [[0, 0]]", keys(126))), "126");
+    let shop = Shop::new(&wide.part, wide.cutting, &KNOWLEDGE).unwrap();
+    let faults = prove_hole(&there.part.holes[0], &there.holes[0].transitions, &there.part, &shop).unwrap();
+    let wider = faults.iter().filter(|fault| matches!(fault, Fault::BarBeyondMachine { .. })).count();
+    assert_eq!(wider, steps(&there).iter().filter(|step| step.operation.is_boring()).count());
+    assert!(wider > 0);
 }

@@ -45,6 +45,7 @@ pub(super) fn check<'a>(
                 | Fault::ThinFloor { .. }
                 | Fault::MeetsFloor { .. }
                 | Fault::BarOutOfRange { .. }
+                | Fault::BarBeyondMachine { .. }
                 | Fault::BarEnters { .. }
                 | Fault::MiddleInMetal { .. }
                 | Fault::BarSprings { .. } => Severity::Doubtful,

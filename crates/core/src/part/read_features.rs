@@ -28,6 +28,8 @@ pub(super) struct Features {
     pub groove: Option<(Groove, Place)>,
     pub state: BlankHole,
     pub state_diameter: Option<Place>,
+    /// Whether the file says, rightly or not, that the blank has the hole.
+    pub opened: bool,
     pub outer_wall: bool,
 }
 
@@ -174,6 +176,7 @@ impl Reader<'_> {
         let choices: &[(&str, Kind)] =
             &[("solid", None), ("cast", Some(BlankHole::Cast)), ("pre-machined", Some(BlankHole::PreMachined))];
         let kind = fields.take(form::Hole::state).map_or(Some(None), |node| self.choice(node, choices));
+        features.opened = !matches!(kind, Some(None));
         let wall_node = fields.take(form::Hole::outer_wall);
         let outer_wall = wall_node.and_then(|node| self.problems.boolean(node)) == Some(true);
         let remedy = note!("part-say-state-cast-state-pre");
@@ -241,6 +244,37 @@ mod tests {
         assert_eq!((hole.state, hole.outer_wall), (BlankHole::Cast(um(6)), true));
         let pre = read("state: pre-machined, state_diameter: 9.999").unwrap();
         assert_eq!((pre.state, pre.outer_wall), (BlankHole::PreMachined(Micrometres::new(9_999)), false));
+    }
+
+    /// Textbook, l. 218-219: twist drills are made up to 80 mm. A hole that the blank has may be wider.
+    #[test]
+    fn solid_metal_is_not_opened_wider_than_drills_go() {
+        let text = |hole: &str| {
+            format!(
+                "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 400, width: 300, thickness: 40}}\n\
+                 holes:\n  - {{name: A, through: true, roughness: Ra 12.5, centre_tolerance: 0.5, at: [[0, 0]], {hole}}}\n"
+            )
+        };
+        let knowledge = shipped::knowledge().unwrap();
+        for (hole, said) in [
+            ("diameter: 80H12", None),
+            ("diameter: 160H7, state: cast, state_diameter: 150", None),
+            ("steps: [{diameter: 100H9, depth: 10}, {diameter: 60H9}], state: pre-machined, state_diameter: 50", None),
+            ("diameter: 81H12", Some("Ø81 in solid metal is more than Ø80")),
+            ("steps: [{diameter: 100H9, depth: 10}, {diameter: 60H9}]", Some("Ø100 in solid metal is more than Ø80")),
+            ("diameter: 161H7, state: cast, state_diameter: 150", Some("Ø161 is outside Ø3 to Ø160")),
+            // What the file says wrongly of the blank is the one mistake.
+            ("diameter: 100H7, state: cast", Some("`state_diameter` is missing")),
+        ] {
+            let read = read_part("part", &text(hole), &knowledge);
+            let problems = read.err().unwrap_or_default();
+            let problems: Vec<_> =
+                problems.iter().map(|one| one.text(|note| technolog_words::Lang::EN.say(note))).collect();
+            match said {
+                None => assert!(problems.is_empty(), "{hole}: {problems:?}"),
+                Some(said) => assert!(problems.len() == 1 && problems[0].contains(said), "{hole}: {problems:?}"),
+            }
+        }
     }
 
     #[test]

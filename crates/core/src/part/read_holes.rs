@@ -14,6 +14,7 @@ use super::limits::LimitedCount;
 use super::read::Reader;
 use super::read_diameter::Sized;
 use super::read_steps::GroupValues;
+use super::tolerance::largest;
 use super::{Blank, Bottom, CentreTolerance, Hole, Point};
 
 impl Reader<'_> {
@@ -77,6 +78,7 @@ impl Reader<'_> {
         let (at, points) = self.centres(&mut fields);
         let place = fields.place;
 
+        let size_place = sized.as_ref().map(|sized| sized.place.clone());
         let alone = sized.as_ref().filter(|_| !stepped).map(|sized| sized.diameter.clone());
         let cylinders = if stepped {
             let through = through.unwrap_or(true);
@@ -87,6 +89,9 @@ impl Reader<'_> {
         } else {
             self.cylinder(sized, depth, roughness, bottom, chamfer)
         };
+        if let Some(known) = cylinders.as_ref().filter(|_| !features.opened) {
+            self.within_drills(known, size_place.as_ref().unwrap_or(place));
+        }
         let narrowest = cylinders.as_ref().map(|known| &known.diameter).or(alone.as_ref());
         let mut spans = match (&cylinders, &alone) {
             (Some(known), _) => known.spans.clone(),
@@ -142,6 +147,23 @@ impl Reader<'_> {
             });
         }
         Some(group)
+    }
+
+    /// Reports a hole in solid metal that is wider than the drills of the catalogs (table `hole-defaults`).
+    fn within_drills(&mut self, cylinders: &Cylinders, place: &Place) {
+        let steps = cylinders.steps.iter().map(|step| step.diameter.nominal);
+        let widest = steps.fold(cylinders.diameter.nominal, Micrometres::max);
+        match largest(self.knowledge) {
+            Ok((solid, opened)) if widest > solid => {
+                let message = note!("part-solid-wider-than-drills", nominal = widest, largest = solid);
+                let help = note!("part-say-blank-has-hole", largest = opened);
+                self.problems.error_help::<()>("bad-diameter", message, place, help);
+            }
+            Ok(_) => {}
+            Err(message) => {
+                self.problems.error::<()>("bad-diameter", message, place);
+            }
+        }
     }
 
     /// The one cylinder of a hole without steps.

@@ -220,10 +220,10 @@ fn of_drawing(text: &str) -> Option<Note> {
     no_size.then(|| note!("part-size-before-tolerance", text = text, example = format!("10{typed}")))
 }
 
-/// Checks that the drills and bars of the catalogs make such a hole (table `hole-defaults`).
+/// Checks that the tools of the catalogs make such a hole (table `hole-defaults`); in solid metal [`largest`] is less.
 fn in_range(nominal: Micrometres, knowledge: &Knowledge) -> Result<(), Note> {
     let bound = |name| convention(name, knowledge).map(Micrometres::from_mm_rounded);
-    let (smallest, largest) = (bound(HoleDefault::SmallestDiameter)?, bound(HoleDefault::LargestDiameter)?);
+    let (smallest, largest) = (bound(HoleDefault::SmallestDiameter)?, bound(HoleDefault::LargestOpened)?);
     if nominal < smallest || nominal > largest {
         return Err(note!(
             "part-outside-which-drills-catalogs-begin",
@@ -233,6 +233,12 @@ fn in_range(nominal: Micrometres, knowledge: &Knowledge) -> Result<(), Note> {
         ));
     }
     Ok(())
+}
+
+/// The largest hole in solid metal, and the largest that the blank has.
+pub(super) fn largest(knowledge: &Knowledge) -> Result<(Micrometres, Micrometres), Note> {
+    let bound = |name| convention(name, knowledge).map(Micrometres::from_mm_rounded);
+    Ok((bound(HoleDefault::LargestDiameter)?, bound(HoleDefault::LargestOpened)?))
 }
 
 /// A figure of the table `hole-defaults`.

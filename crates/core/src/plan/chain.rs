@@ -53,7 +53,7 @@ pub struct ChainTerm {
 pub enum ChainError {
     /// The tool, at the axis of the hole: with the machine, where it makes its own axis.
     Axis,
-    /// The tool at the axis of the other hole, where it has another zero.
+    /// The tool at the axis of the other hole; with one zero for both a reading of section 1.2.1 that nothing confirms.
     OtherAxis,
     /// The part in its fixture.
     Locating,

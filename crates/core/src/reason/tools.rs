@@ -170,6 +170,12 @@ impl NoSize {
                 .with("widest", widest)
                 .with("hole", hole)
                 .with("tables", tables),
+            // No countersink is so slender; such holes are for taper pins and shanks.
+            Self::NoConeOfAngle { angle, diameter, .. } if *angle <= MOST_OF_TAPER_REAMERS => {
+                let half = f64::from(*angle) / 2000.0 * core::f64::consts::PI / 180.0;
+                let ratio = Decimal::from_f64_rounded(libm::round(5.0 / libm::tan(half)) / 10.0);
+                new("no-taper-reamer").with("ratio", Figure::number(ratio.to_string())).with("diameter", diameter)
+            }
             Self::NoConeOfAngle { angle, diameter, angles, tables } => {
                 let angles = Figure::list(angles.iter().map(|angle| degrees(*angle)));
                 new("no-cone-of-angle")
@@ -182,6 +188,9 @@ impl NoSize {
         }
     }
 }
+
+/// The widest cone of taper reamers, thousandths of a degree: 1:7 is 8.17° (github sad-engineer/tools, geometry_deployment_cutter).
+const MOST_OF_TAPER_REAMERS: u32 = 8_200;
 
 /// Thousandths of a degree as degrees.
 fn degrees(angle: u32) -> Figure {

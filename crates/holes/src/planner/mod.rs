@@ -28,7 +28,7 @@ use crate::knowledge::Knowledge;
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Clamping, CuttingMethod, Feature, Operation, Plan, Preference, Route, Setup, Times};
+use crate::plan::{Clamping, CuttingMethod, Feature, HolePlan, Operation, Plan, Preference, Route, Setup, Times};
 use crate::route::Remark;
 use crate::shop::Shop;
 use crate::tables::cutting::Process;
@@ -39,6 +39,7 @@ use crate::{sequence, setup, tooling, zone};
 use choose::{Chooser, ComparedRoutes};
 pub use fit::feed_travel;
 use fit::{Fitted, Fitting};
+use nearest::TappedBy;
 use options::{Choice, Options};
 
 /// Of so many groups without a route the nearest possible hole is looked for: each costs as much as ten other groups.
@@ -261,10 +262,21 @@ fn draft(
             }
         }
     }
-    if let Some(tap) = steps.iter().find(|fitted| fitted.step.elsewhere && fitted.step.operation == Operation::Tap) {
+    if let Some(tap) = steps.iter().find(|fitted| nearest::taps_elsewhere(&fitted.step)) {
         let thread = hole.thread_at(tap.step.place.step).map_or("", |thread| thread.written.as_str());
-        let machine = Figure::word_of("machine", part.machine.clone());
-        report(Severity::Note, Note::new("tap-elsewhere").with("thread", thread).with("machine", machine));
+        let told = |code: &str| Note::new(code.to_owned()).with("thread", thread);
+        let word = |id: String| Figure::word_of("machine", id);
+        let here = word(part.machine.clone());
+        match nearest::tapped_by(hole, &tap.step, part, shop)? {
+            TappedBy::Machine(id) => {
+                report(Severity::Note, told("tap-elsewhere").with("machine", here).with("other", word(id)));
+            }
+            TappedBy::None(Some((id, why))) => {
+                let note = told("tap-nowhere").with("machine", here).with("other", word(id));
+                report(Severity::Doubtful, note.with("why", why.note()));
+            }
+            TappedBy::None(None) => report(Severity::Doubtful, told("no-machine-taps").with("machine", here)),
+        }
     }
     if steps.iter().any(|fitted| fitted.step.place.face == Face::Back) {
         report(Severity::Note, Note::new("second-setup"));

@@ -1,15 +1,18 @@
 //! For a hole that nothing makes: the nearest depth at which the same hole can be made or, if no depth helps, the grade and
-//! roughness; and the machine that makes it as drawn.
+//! roughness; and the machine that makes it as drawn, or taps its thread.
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::machine::Machine;
 use crate::note::{Figure, Note};
 use crate::part::{Hole, Part, ToleratedDiameter, tolerance_width};
-use crate::plan::Preference;
+use crate::plan::{Operation, Preference};
+use crate::reason::Reason;
+use crate::route::RouteStep;
 use crate::shop::Shop;
 use crate::tooling::{self, DrillSize};
 use crate::units::{ItGrade, Micrometres, Microns, Roughness};
 
+use super::fit::Fitting;
 use super::options::{self, Choice};
 
 /// What a millimetre is.
@@ -57,12 +60,61 @@ pub(super) fn machine(
         let shop = Shop::new(&part, shop.method, shop.knowledge)?;
         let drills = tooling::drill_sizes(&shop)?;
         let found = Refusal::split(options::options(hole, &part, preference, (&[], &drills), &shop))?;
-        if found.is_ok_and(|found| found.choices.iter().any(Choice::meets_requirements) && found.impossible.is_empty())
-        {
+        // A machine that leaves the thread to another one does not make the hole as drawn.
+        let whole = |choice: &Choice| {
+            choice.meets_requirements() && !choice.steps.iter().any(|fitted| taps_elsewhere(&fitted.step))
+        };
+        if found.is_ok_and(|found| found.choices.iter().any(whole) && found.impossible.is_empty()) {
             return Ok(Some(Note::new("nearest-machine").with("machine", Figure::word_of("machine", id.to_owned()))));
         }
     }
     Ok(None)
+}
+
+/// Whether a step taps on another machine.
+pub(super) fn taps_elsewhere(step: &RouteStep) -> bool {
+    step.elsewhere && step.operation == Operation::Tap
+}
+
+/// Where a thread is cut that this machine cannot tap.
+pub(super) enum TappedBy {
+    /// On this machine of the knowledge base.
+    Machine(String),
+    /// On none of those that tap: the first of them, and why.
+    None(Option<(String, Reason)>),
+}
+
+/// The other machine of the knowledge base that taps a thread: its chuck holds the tap, both are within its limits, and so is the
+/// torque. One with the same control goes first.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub(super) fn tapped_by(
+    hole: &Hole,
+    tap: &RouteStep,
+    part: &Part,
+    shop: &Shop<'_>,
+) -> Result<TappedBy, KnowledgeError> {
+    let mut machines = Vec::new();
+    for id in Machine::ids(shop.knowledge).filter(|id| *id != shop.machine.id()) {
+        machines.push(Machine::find(shop.knowledge, id)?);
+    }
+    machines.retain(|machine| machine.can_tap);
+    machines.sort_by_key(|machine| machine.control != shop.machine.control);
+    let there = RouteStep { elsewhere: false, ..tap.clone() };
+    let mut first = None;
+    for machine in machines {
+        let id = machine.id().to_owned();
+        let shop = Shop { machine, ..shop.clone() };
+        let fitting = Fitting::new(hole, &[], part, &shop)?;
+        match Refusal::split(fitting.tool_and_conditions(&there, None, true))? {
+            Ok(_) => return Ok(TappedBy::Machine(id)),
+            Err(why) => {
+                first.get_or_insert((id, why));
+            }
+        }
+    }
+    Ok(TappedBy::None(first))
 }
 
 /// The finest grade, with a roughness that goes with it, at which the same hole can be made; none for threads and counterbores.

@@ -2,14 +2,16 @@
 //! drawing to a hole stays within the tolerance.
 //!
 //! Every term is the width of a field of error, as the centre tolerance of a group is a width. Of two holes of one set-up and one
-//! zero the tool errs once: the figures of section 1.2.1 are of the position of holes to each other. Worst case Σω, statistically
-//! √Σω², the field of 99.7 % of parts where the errors are normal.
+//! zero the tool errs at both axes: section 1.2.1 gives the accuracy of the position of holes. It does not say whether that of an axis
+//! or that of two to each other, so the second is a term that nothing confirms. Worst case Σω, statistically √Σω², the field of
+//! 99.7 % of parts where the errors are normal.
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Finding, Note, Severity};
 use crate::part::{Along, Base, Face, Part, Side};
 use crate::plan::{Chain, ChainClosing, ChainError, ChainTerm, Feature, HeldBy, HolePlan, PartZero};
 use crate::shop::Shop;
+use crate::tables::holes::PositionAccuracy;
 use crate::tables::materials::{SettingError, SettingErrorOf};
 use crate::tables::rules::{ChainClosingFor, ChainSeverity, ChainZeros, ChainZerosFor};
 use crate::units::Micrometres;
@@ -105,6 +107,8 @@ struct Errors<'k> {
     locating: Option<SettingError<'k>>,
     touch: SettingError<'k>,
     truing: SettingError<'k>,
+    /// Why both axes err between two holes of one zero.
+    both_axes: Because,
 }
 
 impl<'k> Errors<'k> {
@@ -112,7 +116,9 @@ impl<'k> Errors<'k> {
         let row =
             |wanted: SettingErrorOf| shop.knowledge.need(wanted.name(), |row: &SettingError<'_>| row.name.is(wanted));
         let locating = locating_error(held, shop)?;
-        Ok(Self { locating, touch: row(SettingErrorOf::Touch)?, truing: row(SettingErrorOf::Truing)? })
+        let of_positions = shop.knowledge.table_of::<PositionAccuracy<'_>>()?;
+        let both_axes = Because::table(of_positions, Note::new("chain-both-axes"));
+        Ok(Self { locating, touch: row(SettingErrorOf::Touch)?, truing: row(SettingErrorOf::Truing)?, both_axes })
     }
 }
 
@@ -211,6 +217,13 @@ impl Measured<'_, '_> {
                 let (zero, of_base) = (self.zero(hole, face), self.zero(base, other_face));
                 if face == other_face && zero == of_base {
                     terms.push(ChainError::Axis, field.max(other));
+                    // Were the figures of two holes to each other, the field would end here.
+                    terms.all.push(ChainTerm {
+                        what: ChainError::OtherAxis,
+                        field_mm: field.min(other),
+                        unconfirmed: true,
+                    });
+                    terms.because.push(self.errors.both_axes.clone());
                 } else {
                     terms.push(ChainError::Axis, field);
                     terms.push(ChainError::OtherAxis, other);

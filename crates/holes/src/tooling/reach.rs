@@ -38,7 +38,9 @@ fn fault(row: &CutterRow<'_>, head: &ToolHead, need: &CutterNeed<'_>, machine: &
     {
         return Some(CutterFault::NoTeethInMiddle { diameter, widest: down.without_middle });
     }
-    if let Some(diameter) = row.diameter.filter(|own| *own > machine.tool_diameter_max) {
+    // A bar is as wide as it is set.
+    let set = need.operation.is_boring().then_some(need.diameter);
+    if let Some(diameter) = row.diameter.or(set).filter(|own| *own > machine.tool_diameter_max) {
         return Some(CutterFault::TooWide { diameter, limit: machine.tool_diameter_max });
     }
     // What goes round sweeps the circle of its middle beside its own.

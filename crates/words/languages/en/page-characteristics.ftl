@@ -159,6 +159,7 @@ characteristic-least-screw = thinnest screw
 characteristic-free-size-grade = grade of a free size
 characteristic-smallest-diameter-mm = smallest diameter, mm
 characteristic-largest-diameter-mm = largest diameter, mm
+characteristic-largest-opened-diameter-mm = largest diameter of a hole that the blank has, mm
 characteristic-thread-hole-grade = grade of the hole under a thread
 characteristic-setting-step-mm = step of setting, mm
 characteristic-clamp-inset-mm = inset of a clamp, mm

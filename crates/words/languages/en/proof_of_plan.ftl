@@ -49,6 +49,7 @@ proof-twists = { $operation }: torque { $value } N·m > { $limit } N·m that the
 proof-buckles = { $operation }: thrust { $value } N > { $limit } N that the drill of Ø{ $drill } with flutes of { $flutes } mm bears without buckling
 proof-bar-slender = { $operation }: the bar reaches out { $reach } mm > { $ratio } times its diameter of { $bar } mm
 proof-bar-out-of-range = { $operation }: a pass at Ø{ $set } mm, and the bar is set from Ø{ $smallest } to Ø{ $largest } mm
+proof-bar-beyond-machine = { $operation }: the bar is set to Ø{ $set } mm, and the machine takes tools up to Ø{ $largest } mm
 proof-bar-enters = { $operation }: the bar of Ø{ $bar } mm does not enter the hole of Ø{ $hole } mm
 proof-bar-springs = { $operation }: uneven stock deflects the bar by { $spring } mm on the diameter > { $tolerance } mm of tolerance
 proof-wall-between = between this hole and { $other } { $wall } mm of wall are left, less than { $least } mm: it gives way under the cutter; move the holes apart or make them shallower

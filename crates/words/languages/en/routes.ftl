@@ -77,7 +77,9 @@ step-too-deep = the step is { $depth } mm deep, and the blank is { $limit } mm t
 groove-not-axial = no axial tool makes the groove Ø{ $diameter }, { $width } mm wide, { $depth } mm deep: it needs a recessing tool on another machine
 thread-chamfer = a chamfer of the pitch, { $pitch } mm, for the thread
 thread-of-step = thread { $thread } on the step
-tap-elsewhere = thread { $thread }: the machine { $machine } cannot tap; the last transition is on another machine, its conditions are a guide
+tap-elsewhere = thread { $thread }: the machine { $machine } cannot tap; the last transition is on another machine, for one on { $other }; its conditions are a guide
+no-machine-taps = thread { $thread }: the machine { $machine } cannot tap, and no machine of the tables can; the conditions of the last transition are a guide
+tap-nowhere = thread { $thread }: the machine { $machine } cannot tap, and none of the tables taps it (on { $other }: { $why }); find a machine that does, or mill or turn the thread
 second-setup = steps from the back face: a second set-up after turning the part over; coordinates are those of the first
 # Tools.
 step-drill = a step drill Ø{ $narrow }/Ø{ $wide } makes both diameters with one stroke
@@ -102,6 +104,7 @@ no-tap = no tap { $thread } in the { $tables-count ->
         [1] table
        *[other] tables
     } { $tables }
+no-taper-reamer = the cone 1:{ $ratio } to Ø{ $diameter } takes a taper reamer after drilling in steps, and the catalogs have none, for no page at hand gives their lengths: the cone stays undone; plan the cylinder here and ream the cone by hand
 no-cone-of-angle = no countersink of { $angle }° (to Ø{ $diameter }); the { $tables-count ->
         [1] table
        *[other] tables

@@ -67,6 +67,7 @@ fixture-keying = how the fixture is keyed to the table (textbook 1.7)
 part-locating = how the part is located (textbook 1.9)
 keying-play = keys or pins of { $size } mm: up to { $play } mm of play
 locating-error = part after part up to { $most } mm off its place
+chain-both-axes = both axes err: neither section 1.2.1 nor the accuracy of the machine says whether it is of an axis or of the distance of two; by the other reading the first field alone would count
 chain-term = a field of { $field } mm in the chain
 chain-closing = whether the chain closes
 chain-zeros = how many zeros the part gets (textbook 5.2 item 11.2)

@@ -159,6 +159,7 @@ characteristic-least-screw = найтонший гвинт
 characteristic-free-size-grade = квалітет вільного розміру
 characteristic-smallest-diameter-mm = найменший діаметр, мм
 characteristic-largest-diameter-mm = найбільший діаметр, мм
+characteristic-largest-opened-diameter-mm = найбільший діаметр отвору, що є в заготовці, мм
 characteristic-thread-hole-grade = квалітет отвору під різь
 characteristic-setting-step-mm = крок налагодження, мм
 characteristic-clamp-inset-mm = відступ притискача, мм

@@ -49,6 +49,7 @@ proof-twists = { $operation }: крутний момент { $value } Н·м > {
 proof-buckles = { $operation }: осьова сила { $value } Н > { $limit } Н, які свердло Ø{ $drill } із канавками { $flutes } мм витримує без поздовжнього вигину
 proof-bar-slender = { $operation }: виліт оправки { $reach } мм > { $ratio } її діаметра, { $bar } мм
 proof-bar-out-of-range = { $operation }: хід на Ø{ $set } мм, а оправка налаштовується від Ø{ $smallest } до Ø{ $largest } мм
+proof-bar-beyond-machine = { $operation }: оправку налаштовано на Ø{ $set } мм, а верстат приймає інструменти до Ø{ $largest } мм
 proof-bar-enters = { $operation }: оправка Ø{ $bar } мм не входить в отвір Ø{ $hole } мм
 proof-bar-springs = { $operation }: оправка відтискається на { $spring } мм діаметра через нерівний припуск > { $tolerance } мм допуску
 proof-wall-between = між цим отвором і { $other } лишається { $wall } мм стінки, менше за { $least } мм: вона піддасться під інструментом; розсуньте отвори або зробіть їх мілкішими

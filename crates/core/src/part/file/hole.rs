@@ -19,7 +19,7 @@ forms! {
     pub struct Hole {
         /// Name of the group, unique in the part.
         pub name: Name,
-        /// Diameter with its tolerance: `10H12`, `10K7` (Ø3 to Ø80, fields D to H, JS, K to S, grades 6 to 14), `10` for a free size (grade 13), or
+        /// Diameter with its tolerance: `10H12`, `10K7` (Ø3 to Ø80, to Ø160 where the blank has the hole, fields D to H, JS, K to S, grades 6 to 14), `10` for a free size (grade 13), or
         /// `{nominal: 10, upper: 0.15, lower: 0}`. A thread says it itself; with `steps` it is the narrowest.
         pub diameter: Option<Diameter>,
         /// Depth of the hole from the entry face, mm; of a through hole the thickness of the blank, and may be
@@ -68,7 +68,7 @@ forms! {
 
     /// A diameter by its deviations; the grade is the coarsest whose tolerance they hold.
     pub struct Limits {
-        /// Nominal diameter, mm, 3 to 80.
+        /// Nominal diameter, mm, 3 to 80, to 160 where the blank has the hole.
         #[schemars(range(min = 3, max = 80))]
         pub nominal: f64,
         /// Upper deviation, mm, with its sign; above the lower.
