@@ -341,6 +341,13 @@ pub fn jaw_clearance(knowledge: &Knowledge) -> Result<[Micrometres; 2], Knowledg
     Ok([of(Limit::JawClearanceLeast)?, of(Limit::JawClearance)?])
 }
 
+/// The share of a part's length that soft jaws are bored for.
+///
+/// # Errors `turning-limits` does not have it.
+pub fn soft_jaw_share(knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
+    Ok(ratio(knowledge, Limit::SoftJawShare)?.0)
+}
+
 /// The share of its edge that a tool may bring into a wall while it rises.
 ///
 /// # Errors `turning-limits` does not have it.

@@ -102,7 +102,7 @@ pub fn depth(
         Ok((mut limit, depth)) => {
             limit.because.push(skin);
             findings.extend(limit.findings());
-            if let Some((finding, because)) = asks(&limit, bench)? {
+            if let Some((finding, because)) = asks(&limit, task.stock, bench)? {
                 findings.push(finding);
                 limit.because.push(because);
             }
@@ -121,16 +121,20 @@ pub fn depth(
     }
 }
 
-/// The required support, where the deflection of the part leaves no useful depth.
+/// The required support, where the deflection of the part leaves no useful depth of the stock.
 ///
 /// # Errors
 /// The knowledge base lacks a table.
-fn asks(limit: &LimitingDepth, bench: &Bench<'_, '_>) -> Result<Option<(Finding, Because)>, KnowledgeError> {
+fn asks(
+    limit: &LimitingDepth,
+    stock: Half,
+    bench: &Bench<'_, '_>,
+) -> Result<Option<(Finding, Because)>, KnowledgeError> {
     let Some(held) = &bench.held else { return Ok(None) };
     let bends = matches!(limit.decided_by, Bound::PartStiffness | Bound::PartStrength);
-    let least = least_sensible_depth(bench.knowledge)?;
-    let shallow = bends && limit.depth_mm.is_none_or(|depth| depth < least);
-    shallow.then(|| held.asks(bench.knowledge)).transpose()
+    let least = Half::of(least_sensible_depth(bench.knowledge)?).min(stock);
+    let shallow = bends && limit.depth_mm.is_none_or(|depth| Half::of(depth) < least);
+    shallow.then(|| held.asks(limit.depth_mm, bench.knowledge)).transpose()
 }
 
 /// The most passes into which the search divides the stock.
