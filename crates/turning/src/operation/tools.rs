@@ -167,27 +167,6 @@ pub fn candidates<'k>(side: Side, stage: Stage, bench: &Bench<'_, 'k>) -> Result
     Ok(tools)
 }
 
-/// The tools for additional elements: those that rough the side, then grooving tools, each in the order of the rule
-/// `turning-tool-order`.
-///
-/// # Errors
-/// A table of tools is broken.
-pub fn for_valleys<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
-    let works = match side {
-        Side::Outer => Place::Outer,
-        Side::Inner => Place::Inner,
-    };
-    let mut plunging = TurningTool::all(bench.knowledge)?;
-    plunging.retain(|tool| {
-        tool.kind == ToolKind::Grooving && tool.works == works && tool.hand != Hand::L && tool.width.is_some()
-    });
-    plunging.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
-    put_in_order(&mut plunging, ToolKind::Grooving, bench.knowledge)?;
-    let mut tools = candidates(side, Stage::Roughing, bench)?;
-    tools.extend(plunging);
-    Ok(tools)
-}
-
 /// The height of a square shank, the diameter of a bar.
 const fn thickness(shank: Shank) -> Micrometres {
     match shank {

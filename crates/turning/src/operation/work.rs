@@ -309,7 +309,7 @@ fn zone_work(
     // Checked before the levels are made, because they might not fit into memory.
     let passes = stock.parts(limit);
     if passes > MOST_PASSES {
-        let note = Unsuited::TooManyPasses { passes }.note().with("zone", zone.number);
+        let note = Unsuited::TooManyPasses { passes, most: MOST_PASSES }.note().with("zone", zone.number);
         findings.push(Finding::of_part(Severity::Error, note));
         return Ok(work);
     }

@@ -249,11 +249,6 @@ impl Microns {
         Self(micrometres)
     }
 
-    /// Micrometres, for formulas.
-    pub fn to_um(self) -> f64 {
-        self.0.to_f64()
-    }
-
     /// Millimetres, for formulas.
     pub fn to_mm(self) -> f64 {
         self.0.to_f64() / 1000.0
