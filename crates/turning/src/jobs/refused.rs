@@ -10,25 +10,14 @@ use crate::turning::reasons::reasons;
 use crate::units::{ItGrade, Micrometres, MillimetresPerMinute, NewtonMetres, Newtons, RevsPerMinute, round_to};
 use technolog_cutting::figures::{self, Asking};
 
-/// What the tables of cutting conditions are asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub enum Operation {
-    Drilling,
-    Grooving,
-    Threading,
-    Tapping,
-}
-
-impl Operation {
-    /// Its name among the operations.
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Drilling => "drill",
-            Self::Grooving => "grooving",
-            Self::Threading => "threading",
-            Self::Tapping => "tap",
-        }
+technolog_knowledge::vocabulary! {
+    /// What the tables of cutting conditions are asked for.
+    #[allow(missing_docs)]
+    pub enum Operation {
+        Drilling = "drill",
+        Grooving = "grooving",
+        Threading = "threading",
+        Tapping = "tap",
     }
 }
 

@@ -236,29 +236,14 @@ fn cut<'a, 'k>(
     task: ZoneCut<'a, 'k>,
     bench: &'a Bench<'_, 'k>,
 ) -> Result<Option<(TurningCut<'a, 'k>, Because)>, KnowledgeError> {
-    let Some(lathe) = bench.lathe else { return Ok(None) };
-    let (knowledge, stock) = (bench.knowledge, bench.workpiece.blank.kind);
-    let asked = knowledge.ask(&TurningSkinFor { stock, group: bench.material.group })?;
+    let Some(cut) = bench.cut(task.tool, task.diameter, task.direction) else { return Ok(None) };
+    let stock = bench.workpiece.blank.kind;
+    let asked = bench.knowledge.ask(&TurningSkinFor { stock, group: bench.material.group })?;
     let surface = asked.need(stock.name())?.surface;
     let note = Note::new("turning-skin").with("kind", Figure::word(stock.name())).with("surface", surface.name());
     let because = Because::answer(&asked.answer, note);
-    let (tool, material) = (task.tool, &bench.material);
-    let (diameter, direction, bore_depth, part) = (task.diameter, task.direction, task.bore_depth, task.part);
-    let grip = bench.grip.as_ref();
-    let spindle_most = task.spindle_most;
-    let cut = TurningCut {
-        knowledge,
-        lathe,
-        tool,
-        material,
-        diameter,
-        direction,
-        surface,
-        bore_depth,
-        part,
-        grip,
-        spindle_most,
-    };
+    let ZoneCut { bore_depth, part, spindle_most, .. } = task;
+    let cut = TurningCut { surface, bore_depth, part, grip: bench.grip.as_ref(), spindle_most, ..cut };
     Ok(Some((cut, because)))
 }
 

@@ -9,7 +9,6 @@ use crate::turning::jobs::thread::{Passes, thread};
 use crate::turning::jobs::{Job, NoJob, Site};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::schemes::rates;
 use crate::turning::zones::{SetUp, TurnedSide};
 
 use super::SideWork;
@@ -161,20 +160,11 @@ fn with_allowances(mut under: Contour, surfaces: &[&Surface], bench: &Bench<'_, 
 
 /// Where the tools of a side come from.
 fn site<'a>(stretch: &'a TurnedSide, side: &SideWork, bench: &Bench<'_, '_>) -> Result<Site<'a>, KnowledgeError> {
-    let (table, _) = rates::of_table(bench.knowledge)?;
-    let (approach, retract) = bench
-        .workpiece
-        .rates
-        .map_or((table.approach, table.retract), |rates| (rates.main.approach, rates.main.retract));
-    let (approach, retract) = (Half::of(approach), Half::of(retract));
+    let [approach, retract] = bench.approach_and_retract()?;
     let start = side.layers.rough.start().map_or(Half::ZERO, |start| start.z);
-    let walls = stretch.profile.surfaces.iter().flat_map(|surface| &surface.pieces).filter(|piece| !piece.is_face());
     let radius = match side.side {
         Side::Outer => side.layers.blank.radii().map_or(Half::ZERO, |(_, most)| most) + approach,
-        Side::Inner => {
-            let narrowest = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min();
-            narrowest.unwrap_or_default() - retract
-        }
+        Side::Inner => stretch.profile.contour().narrowest().unwrap_or_default() - retract,
     };
     Ok(Site { profile: &stretch.profile, clear: Point { radius, z: start - approach }, off: retract })
 }

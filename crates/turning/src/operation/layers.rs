@@ -15,7 +15,6 @@ use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
 use crate::turning::nose::Nose;
 use crate::turning::point::Point;
-use crate::turning::schemes::rates;
 use crate::turning::shaft::Holding;
 use crate::turning::tooling::TurningTool;
 use crate::turning::workpiece::{Allowances, Workpiece};
@@ -261,8 +260,7 @@ fn faced_by_bar(
     is_last: bool,
     bench: &Bench<'_, '_>,
 ) -> Result<Option<Half>, KnowledgeError> {
-    let walls = bore.pieces.iter().filter(|piece| !piece.is_face());
-    let Some(narrow) = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min() else { return Ok(None) };
+    let Some(narrow) = bore.narrowest() else { return Ok(None) };
     let mut bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
     bars.retain(|bar| bar.min_bore.is_none_or(|least| least <= narrow.diameter()));
     bars.retain(|bar| tools::nearest_to_axis(bar, narrow).is_none_or(|nearest| nearest <= bottom.to.radius));
@@ -291,9 +289,8 @@ fn faced_by_bar(
 /// The knowledge base lacks the table of motions.
 pub(super) fn run_out(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
     let ends_open = left.end().is_some_and(|end| end.radius > Half::ZERO);
-    let (table, _) = rates::of_table(bench.knowledge)?;
-    let by = bench.workpiece.rates.map_or(table.approach, |rates| rates.main.approach);
-    Ok(if ends_open { Half::of(by) } else { Half::ZERO })
+    let [approach, _] = bench.approach_and_retract()?;
+    Ok(if ends_open { approach } else { Half::ZERO })
 }
 
 /// How far the outside goes on behind its end where the part is parted off there and the next set-up turns some of it: past the

@@ -253,9 +253,7 @@ impl ZoneContours {
                 contour.clone()
             })
         };
-        let walls = self.rough.pieces.iter().filter(|piece| !piece.is_face());
-        let narrowest = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min();
-        let nearest = narrowest.and_then(|bore| tools::nearest_to_axis(tool, bore));
+        let nearest = self.rough.narrowest().and_then(|bore| tools::nearest_to_axis(tool, bore));
         Self { rough: up_to(seen(&self.rough), nearest), blank: seen(&self.blank) }
     }
 }

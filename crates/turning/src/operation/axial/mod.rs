@@ -20,7 +20,6 @@ use crate::turning::jobs::hole::{self, Hole, HoleEnd, Widening, point_length};
 use crate::turning::jobs::{Job, NoJob, Site};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::schemes::rates;
 use crate::turning::zones::TurnedSide;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
@@ -186,14 +185,12 @@ impl Axial {
         for mouth in self.holes.iter().filter_map(|hole| hole.mouth.as_ref()).chain(&self.far_mouth) {
             jobs.extend(made(hole::countersink(&mouth.task(face), bench), findings)?);
         }
-        let (table, _) = rates::of_table(bench.knowledge)?;
-        let own = bench.workpiece.rates.map_or(table, |rates| rates.main);
+        let [approach, off] = bench.approach_and_retract()?;
         for profile in std::iter::once(&self.whole).chain(self.far.iter().map(|(whole, _)| whole)) {
             let threads = profile.surfaces.iter().enumerate();
             for (index, surface) in threads.filter(|(_, surface)| self.threads().any(|name| *name == surface.name)) {
                 let Some((radius, _)) = cylinder(surface) else { continue };
-                let off = Half::of(own.retract);
-                let clear = Point { radius: radius - off, z: face - Half::of(own.approach) };
+                let clear = Point { radius: radius - off, z: face - approach };
                 jobs.extend(thread_job(Site { profile, clear, off }, index, face, bench, findings)?);
             }
         }
