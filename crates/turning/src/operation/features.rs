@@ -12,7 +12,6 @@ use crate::turning::point::Point;
 use crate::turning::zones::{SetUp, TurnedSide};
 
 use super::SideWork;
-use super::jobs::stretch;
 use super::tools::Bench;
 use super::work::Hollow;
 
@@ -27,7 +26,7 @@ pub(super) fn features(
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Job>, KnowledgeError> {
     let (mut jobs, mut grooves) = (Vec::new(), Vec::new());
-    let Some(stretch) = stretch(set_up, side.side) else { return Ok(jobs) };
+    let Some(stretch) = set_up.side(side.side) else { return Ok(jobs) };
     let site = site(stretch, side, bench)?;
     let with_made = with_made_before(set_up, &stretch.profile, bench);
     let sized = bench.sizes.profile(&stretch.profile, set_up.turned_over);
@@ -49,10 +48,7 @@ pub(super) fn features(
 
 /// The surfaces of a set-up, and behind them those that the first set-up has made: a thread may end over them.
 pub(super) fn with_made_before(set_up: &SetUp, profile: &Profile, bench: &Bench<'_, '_>) -> Profile {
-    let part = match profile.side {
-        Side::Outer => Some(&bench.workpiece.outer),
-        Side::Inner => bench.workpiece.inner.as_ref(),
-    };
+    let part = bench.workpiece.profile(profile.side);
     let mut all = profile.clone();
     if let (Some(part), Some(end), true) = (part, profile.contour().end(), set_up.turned_over) {
         let behind = |surface: &Surface| surface.pieces.first().is_some_and(|first| first.from.z >= end.z);
@@ -104,7 +100,7 @@ pub(super) fn hollow(
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<Job>, KnowledgeError> {
-    let Some(stretch) = stretch(set_up, side.side) else { return Ok(None) };
+    let Some(stretch) = set_up.side(side.side) else { return Ok(None) };
     let surfaces: Vec<_> = hollow.surfaces.iter().filter_map(|index| stretch.profile.surfaces.get(*index)).collect();
     if surfaces.iter().any(|surface| bench.leaves(&surface.name)) {
         return Ok(None);

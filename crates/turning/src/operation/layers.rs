@@ -8,7 +8,7 @@ use crate::tables::turning::jobs::JobLimit;
 use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::equidistant;
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
-use crate::turning::allowances::surfaces::Place;
+use crate::turning::allowances::surfaces::{Place, on};
 use crate::turning::contour::{Contour, Curve, Piece, Side, Surface, SurfaceKind};
 use crate::turning::jobs::UNKNOWN_EDGE;
 use crate::turning::jobs::limits::Limits;
@@ -112,11 +112,7 @@ pub fn layers(
             Some(distance) => distance,
             // A bridge: the allowance of a surface at its place.
             None => {
-                let place = match main.side {
-                    _ if piece.is_face() => Place::Face,
-                    Side::Outer => Place::Outer,
-                    Side::Inner => Place::Inner,
-                };
+                let place = on(main.side, piece.is_face());
                 let diameter = piece.from.radius.max(piece.to.radius).diameter();
                 allowance(place, diameter, length, method, knowledge)?.0.unwrap_or(Half::ZERO)
             }
@@ -381,10 +377,7 @@ pub(super) fn leading_on(mut contour: Contour, by: Half, slope: f64) -> Contour 
 
 /// The allowance that another machine finishes on the surface behind the end of a contour of the first set-up; zero without one.
 fn ground_behind(left: &Contour, bench: &Bench<'_, '_>) -> Half {
-    let part = match left.side {
-        Side::Outer => Some(&bench.workpiece.outer),
-        Side::Inner => bench.workpiece.inner.as_ref(),
-    };
+    let part = bench.workpiece.profile(left.side);
     let end = left.end();
     let begins =
         |surface: &&Surface| surface.pieces.first().is_some_and(|first| Some(first.from) == end && !first.is_face());
