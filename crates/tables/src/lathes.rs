@@ -15,6 +15,7 @@ vocabulary! {
         DiameterOverBed = "diameter-over-bed",
         DiameterOverCarriage = "diameter-over-carriage",
         LengthBetweenCentres = "length-between-centres",
+        BarHole = "bar-hole",
         FeedMinZ = "feed-min-z",
         FeedMaxZ = "feed-max-z",
         FeedMinX = "feed-min-x",

@@ -253,8 +253,9 @@ rows! {
     }
 
     /// When the speed of turning is that of practice.
-    pub struct TurningSecondOpinion of One("turning-second-opinion") asked by TurningSecondOpinionFor {
+    pub struct TurningSecondOpinion of One("turning-second-opinion") asked by TurningSecondOpinionFor<'t> {
         cut: LatheCut,
+        material_group: &'t str,
         formula: Formula,
         share: f64,
     } {

@@ -1,7 +1,7 @@
 //! Removes stock motion by motion.
 
 use crate::Cuts;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, Faults, What};
 use crate::note::Figure;
 use crate::plane::{AlongAxis, Convex, Region, Rule, Vector, Window};
 use crate::set_up::{IndexedNear, Motion, MotionKind, Piece, SetUp};
@@ -133,6 +133,10 @@ impl<'s> Carried<'s> {
         &self.set_up.tools[motion.tool]
     }
 
+    pub(crate) fn fault(&mut self, what: What, motion: &Motion, at: At) {
+        self.faults.add(Fault::of_tool(what, &self.tool(motion).designation, at, motion.block));
+    }
+
     fn swept(&self, pieces: &[Convex], motion: &Motion) -> Vec<Convex> {
         let spots = motion.path.spots();
         let each = spots.windows(2).flat_map(|ends| pieces.iter().filter_map(|piece| piece.swept(ends[0], ends[1])));
@@ -142,7 +146,6 @@ impl<'s> Carried<'s> {
     fn carry(&mut self, index: usize, motion: &Motion) {
         let outline = &self.outlines[motion.tool];
         let (cuts, holds) = (self.swept(&outline.cuts, motion), self.swept(&outline.holds, motion));
-        let tool = &self.tool(motion).designation;
         self.hold_bodies(motion, &cuts, &holds);
         if motion.kind != MotionKind::Thread {
             self.turned = None;
@@ -153,8 +156,7 @@ impl<'s> Carried<'s> {
                 let crests = motion.path.from().spot().minus(motion.path.to().spot());
                 let along = crests.z.abs() > crests.r.abs();
                 if let Some((width, at)) = self.met(&cuts, &[], !along) {
-                    let (tool, block) = (tool.clone(), motion.block);
-                    self.faults.add(Fault::RapidCut { tool, width, at, block, count: 1 });
+                    self.fault(What::RapidCut { width }, motion, at);
                 }
                 self.hold_holder(motion, &holds, &[]);
             }
@@ -217,8 +219,7 @@ impl<'s> Carried<'s> {
 
     fn hold_holder(&mut self, motion: &Motion, holds: &[Convex], cut: &[Convex]) {
         if let Some((width, at)) = self.overlap(holds, cut) {
-            let tool = self.tool(motion).designation.clone();
-            self.faults.add(Fault::Holder { tool, width, at, kind: motion.kind, block: motion.block, count: 1 });
+            self.fault(What::Holder { width, kind: motion.kind }, motion, at);
         }
     }
 
@@ -230,9 +231,8 @@ impl<'s> Carried<'s> {
                 continue;
             }
             if let Some((width, at)) = thickest(&body.made(&Region::pieces(pieces), Rule::Both)) {
-                let tool = self.set_up.tools[motion.tool].designation.clone();
-                let (body, block) = (name.clone(), motion.block);
-                self.faults.add(Fault::Struck { tool, body, width, at, block, count: 1 });
+                let (tool, body) = (&self.set_up.tools[motion.tool].designation, name.clone());
+                self.faults.add(Fault::of_tool(What::Struck { body, width }, tool, at, motion.block));
             }
         }
     }
@@ -243,8 +243,7 @@ impl<'s> Carried<'s> {
         let on_axis = from.radius.0.abs() <= TOLERANCE && to.radius.0.abs() <= TOLERANCE;
         let tool = self.tool(motion);
         if tool.cutter.turns_on_axis() && !on_axis && self.overlap(cuts, &[]).is_some() {
-            let (tool, block) = (tool.designation.clone(), motion.block);
-            self.faults.add(Fault::OffAxis { tool, at: to, block, count: 1 });
+            self.fault(What::OffAxis, motion, to);
         }
     }
 
@@ -260,8 +259,7 @@ impl<'s> Carried<'s> {
         let Some(ring) = Convex::hull(ring).filter(|_| wall.most.z - begin > TOLERANCE) else { return };
         if let Some((_, at)) = self.overlap(std::slice::from_ref(&ring), &[]) {
             let closed = self.stock.0.within(ring.window()).made(&Region::pieces([&ring]), Rule::Both).window();
-            let (tool, depth) = (tool.designation.clone(), Mm(closed.most.z - begin));
-            self.faults.add(Fault::Buried { tool, depth, at, block: motion.block, count: 1 });
+            self.fault(What::Buried { depth: Mm(closed.most.z - begin) }, motion, at);
         }
     }
 
@@ -363,17 +361,17 @@ impl<'s> Carried<'s> {
             if let Some(to) = tapped {
                 let left = to - thread.z[0];
                 if left > TOLERANCE {
-                    self.faults.add(Fault::ThreadShort { surface: thread.surface.clone(), left: Mm(left) });
+                    self.faults.add(thread.fault(What::ThreadShort { left: Mm(left) }));
                 }
                 continue;
             }
             let (crest, shallow) = (thread.thread.crest.0, thread.thread.shallow.0);
             let left = (pass.unwrap_or(crest) - shallow) * (crest - shallow).signum();
             if left > TOLERANCE {
-                self.faults.add(Fault::ThreadShallow { surface: thread.surface.clone(), left: Mm(left) });
+                self.faults.add(thread.fault(What::ThreadShallow { left: Mm(left) }));
             } else if let Some([to, from]) = thread.widest_gap(full) {
-                let surface = thread.surface.clone();
-                self.faults.add(Fault::ThreadPart { surface, left: Mm(from - to), from_z: Mm(from), to_z: Mm(to) });
+                let part = What::ThreadPart { left: Mm(from - to), from_z: Mm(from), to_z: Mm(to) };
+                self.faults.add(thread.fault(part));
             }
         }
     }
@@ -397,7 +395,7 @@ fn gouges(target: &Target, keep: &Region, thread: bool, motion: &Motion, cuts: &
         let deepest = nearest.iter().zip(&spots).max_by(|a, b| a.0.distance.total_cmp(&b.0.distance));
         let (near, &spot) = deepest.filter(|(near, _)| near.distance > TOLERANCE)?;
         let (surface, depth, at) = (target.surface(near.piece), Mm(near.distance), At::of(spot));
-        Some(Fault::Gouge { surface, depth, at, block: motion.block, count: 1 })
+        Some(Fault::of_surface(What::Gouge { depth }, surface, Some(at), Some(motion.block)))
     };
     pieces.outer_pieces().filter_map(gouge).collect()
 }

@@ -1,6 +1,7 @@
 //! Faults of a program, as types; each makes its own note.
 
 use std::collections::BTreeMap;
+use std::mem::discriminant;
 
 use crate::note::{Figure, Note};
 use crate::set_up::{MotionKind, Size};
@@ -8,82 +9,61 @@ use crate::units::{At, Block, Mm};
 
 /// A fault, once for each surface, tool or body: its worst place, and how often.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Fault {
+pub struct Fault {
+    /// What is wrong.
+    pub what: What,
+    /// The surface or the tool that it is told of.
+    pub whose: Whose,
+    /// The worst place; none where a whole thread is meant.
+    pub at: Option<At>,
+    /// Its block; none for metal that remains at the end, and for a size if nobody knows what made it.
+    pub block: Option<Block>,
+    /// The number of places, motion by motion.
+    pub count: usize,
+}
+
+/// The surface or the tool that a fault is told of.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Whose {
+    /// A surface; none if its piece has no name.
+    Surface(Option<Figure>),
+    /// A tool, by its designation.
+    Tool(String),
+}
+
+/// What is wrong, with its own figures.
+#[derive(Clone, Debug, PartialEq)]
+pub enum What {
     /// The finished part is cut (gouge).
     Gouge {
-        /// The surface; none if its piece has no name.
-        surface: Option<Figure>,
         /// The greatest depth below the surface with its allowance, along its normal.
         depth: Mm,
-        /// The deepest place.
-        at: At,
-        /// Its block.
-        block: Block,
-        /// The number of places, motion by motion.
-        count: usize,
     },
     /// A cutter moves through metal at rapid.
     RapidCut {
-        /// The tool's designation.
-        tool: String,
-        /// The width of the metal it hits, where it is narrowest.
+        /// The width of the metal it hits, where it is narrowest; the place is the middle of it.
         width: Mm,
-        /// The middle of it.
-        at: At,
-        /// Its block.
-        block: Block,
-        /// The number of motions.
-        count: usize,
     },
     /// A shank, a bar or the non-cutting part of a drill moves through metal.
     Holder {
-        /// The tool's designation.
-        tool: String,
-        /// The width of the metal it hits, where it is narrowest.
+        /// The width of the metal it hits, where it is narrowest; the place is the middle of it.
         width: Mm,
-        /// The middle of it.
-        at: At,
         /// The kind of the worst motion.
         kind: MotionKind,
-        /// Its block.
-        block: Block,
-        /// The number of motions.
-        count: usize,
     },
     /// A tool collides with a jaw, a centre or a steady rest.
     Struck {
-        /// The tool's designation.
-        tool: String,
         /// The body it hits.
         body: Figure,
-        /// The width of the overlap, where it is narrowest.
+        /// The width of the overlap, where it is narrowest; the place is the middle of it.
         width: Mm,
-        /// The middle of it.
-        at: At,
-        /// Its block.
-        block: Block,
-        /// The number of motions.
-        count: usize,
     },
-    /// A drill cuts off the axis or sideways.
-    OffAxis {
-        /// The tool's designation.
-        tool: String,
-        /// The end of the motion.
-        at: At,
-        /// Its block.
-        block: Block,
-        /// The number of motions.
-        count: usize,
-    },
+    /// A drill cuts off the axis or sideways; the place is the end of the motion.
+    OffAxis,
     /// Metal remains over a surface.
     Stands {
-        /// The surface; none if its piece has no name.
-        surface: Option<Figure>,
         /// The greatest thickness over the surface with its allowance, along its normal.
         thickness: Mm,
-        /// The thickest place.
-        at: At,
         /// The end of the remaining metal at the free end.
         from_z: Mm,
         /// Its end at the chuck.
@@ -91,8 +71,6 @@ pub enum Fault {
     },
     /// A size is outside of its limits.
     OffSize {
-        /// The surface; none if its piece has no name.
-        surface: Option<Figure>,
         /// What was measured.
         size: Size,
         /// How large it is.
@@ -103,91 +81,45 @@ pub enum Fault {
         most: Mm,
         /// Whether metal is missing, so that nothing can mend it.
         missing: bool,
-        /// Where it was measured, along the axis.
-        z: Mm,
-        /// The block that made it, if it is known.
-        block: Option<Block>,
     },
     /// An inner corner keeps the rounding of the nose that made it.
     Corner {
-        /// The surface nearest to the remaining metal.
-        surface: Option<Figure>,
         /// The radius of the nose.
         radius: Mm,
         /// The greatest distance of the rounding from the sides of the corner.
         left: Mm,
-        /// Its place.
-        at: At,
-        /// The number of corners.
-        count: usize,
     },
     /// A tap meets metal that its drill should have removed: no hole, a narrower one, or the bottom.
     TapBlocked {
-        /// The tool's designation.
-        tool: String,
-        /// The width of the metal, where it is narrowest.
+        /// The width of the metal, where it is narrowest; the place is the middle of it.
         width: Mm,
-        /// The middle of it.
-        at: At,
-        /// Its block.
-        block: Block,
-        /// The number of motions.
-        count: usize,
     },
-    /// A tap cuts, and the feed is not in step with the spindle by its pitch.
+    /// A tap cuts, and the feed is not in step with the spindle by its pitch; the place is the end of the motion.
     TapOutOfStep {
-        /// The tool's designation.
-        tool: String,
         /// Its pitch.
         pitch: Mm,
         /// The travel per turn; zero where the program gives none.
         lead: Mm,
-        /// The end of the motion.
-        at: At,
-        /// Its block.
-        block: Block,
-        /// The number of motions.
-        count: usize,
     },
-    /// A pass of a thread is not fed by its pitch.
+    /// A pass of a thread is not fed by its pitch; the place is the end of the pass.
     ThreadLead {
-        /// The thread's surface.
-        surface: Option<Figure>,
         /// Its pitch.
         pitch: Mm,
         /// The travel per turn.
         lead: Mm,
-        /// The end of the pass.
-        at: At,
-        /// Its block.
-        block: Block,
-        /// The number of passes.
-        count: usize,
     },
     /// The hole before a tap is wider than the tolerance of the minor diameter.
     TapHoleWide {
-        /// The thread's surface.
-        surface: Option<Figure>,
-        /// The metal that is missing, radial.
+        /// The metal that is missing, radial; the place is the middle of it.
         width: Mm,
-        /// The middle of it.
-        at: At,
-        /// The block of the tap.
-        block: Block,
-        /// The number of motions.
-        count: usize,
     },
     /// The full thread of a tap ends before that of the drawing.
     ThreadShort {
-        /// The thread's surface.
-        surface: Option<Figure>,
         /// The length that is missing.
         left: Mm,
     },
     /// Passes go down to the root of a thread only along a part of its length.
     ThreadPart {
-        /// The thread's surface.
-        surface: Option<Figure>,
         /// The longest stretch without its depth.
         left: Mm,
         /// Where that begins, at the free end.
@@ -195,53 +127,35 @@ pub enum Fault {
         /// Its end at the chuck.
         to_z: Mm,
     },
-    /// A tool on the axis goes in deeper than its flutes, its cone or its reach.
+    /// A tool on the axis goes in deeper than its flutes, its cone or its reach; the place is where the hole closes round it.
     Buried {
-        /// Its designation.
-        tool: String,
         /// How much of its shank is in the hole.
         depth: Mm,
-        /// Where the hole closes round it.
-        at: At,
-        /// The block.
-        block: Block,
-        /// The number of motions.
-        count: usize,
     },
-    /// A pass of a thread runs beside the groove of its deepest pass: they start at other angles of the spindle.
+    /// A pass of a thread runs beside the groove of its deepest pass: they start at other angles of the spindle. The place is where
+    /// the pass starts.
     ThreadPhase {
-        /// The thread's surface.
-        surface: Option<Figure>,
         /// The pitch of the thread.
         pitch: Mm,
         /// How far beside it is along the axis.
         shift: Mm,
-        /// Where the pass starts.
-        at: At,
-        /// The block.
-        block: Block,
-        /// The number of passes.
-        count: usize,
     },
     /// No pass of a thread goes down to its root.
     ThreadShallow {
-        /// The thread's surface.
-        surface: Option<Figure>,
         /// The distance of the deepest pass from the root.
         left: Mm,
     },
 }
 
-impl Fault {
-    /// Its stable code, the same as that of its note.
-    pub const fn code(&self) -> &'static str {
+impl What {
+    const fn code(&self) -> &'static str {
         match self {
             Self::Gouge { .. } => "swept-gouge",
             Self::RapidCut { .. } => "swept-rapid",
             Self::Holder { kind: MotionKind::Rapid, .. } => "swept-holder-rapid",
             Self::Holder { .. } => "swept-holder",
             Self::Struck { .. } => "swept-struck",
-            Self::OffAxis { .. } => "swept-off-axis",
+            Self::OffAxis => "swept-off-axis",
             Self::Stands { .. } => "swept-stands",
             Self::OffSize { size: Size::Diameter, missing: false, .. } => "swept-size-left",
             Self::OffSize { size: Size::Diameter, missing: true, .. } => "swept-size-lost",
@@ -260,224 +174,141 @@ impl Fault {
         }
     }
 
-    /// The block of its worst place; none for metal that remains at the end.
-    pub const fn block(&self) -> Option<Block> {
+    /// Whether it is told once, however often it is found: what a whole size or thread lacks.
+    const fn is_single(&self) -> bool {
+        matches!(
+            self,
+            Self::OffSize { .. } | Self::ThreadShallow { .. } | Self::ThreadShort { .. } | Self::ThreadPart { .. }
+        )
+    }
+
+    /// Whether its sentence has the diameter of its place beside its Z.
+    const fn tells_diameter(&self) -> bool {
+        let along = matches!(self, Self::TapOutOfStep { .. } | Self::ThreadLead { .. } | Self::ThreadPhase { .. });
+        !along && !matches!(self, Self::Buried { .. } | Self::OffSize { .. })
+    }
+
+    /// Its note with its own figures.
+    fn told(&self, note: Note) -> Note {
         match self {
-            Self::Gouge { block, .. }
-            | Self::RapidCut { block, .. }
-            | Self::Holder { block, .. }
-            | Self::Struck { block, .. }
-            | Self::OffAxis { block, .. }
-            | Self::TapBlocked { block, .. }
-            | Self::TapOutOfStep { block, .. }
-            | Self::ThreadLead { block, .. }
-            | Self::ThreadPhase { block, .. }
-            | Self::Buried { block, .. }
-            | Self::TapHoleWide { block, .. } => Some(*block),
-            Self::OffSize { block, .. } => *block,
-            Self::Stands { .. }
-            | Self::Corner { .. }
-            | Self::ThreadShallow { .. }
-            | Self::ThreadShort { .. }
-            | Self::ThreadPart { .. } => None,
+            Self::OffAxis => note,
+            Self::Gouge { depth } | Self::Buried { depth } => note.with("depth", depth),
+            Self::RapidCut { width }
+            | Self::Holder { width, .. }
+            | Self::TapBlocked { width }
+            | Self::TapHoleWide { width } => note.with("width", width),
+            Self::Struck { body, width } => note.with("body", body).with("width", width),
+            Self::Stands { thickness, from_z, to_z } => {
+                note.with("thickness", thickness).with("from", from_z).with("to", to_z)
+            }
+            Self::OffSize { measured, least, most, .. } => {
+                note.with("measured", measured).with("least", least).with("most", most)
+            }
+            Self::Corner { radius, left } => note.with("radius", radius).with("left", left),
+            Self::TapOutOfStep { pitch, lead } | Self::ThreadLead { pitch, lead } => {
+                note.with("pitch", pitch).with("lead", lead)
+            }
+            Self::ThreadPhase { pitch, shift } => note.with("pitch", pitch).with("shift", shift),
+            Self::ThreadPart { left, from_z, to_z } => note.with("left", left).with("from", from_z).with("to", to_z),
+            Self::ThreadShallow { left } | Self::ThreadShort { left } => note.with("left", left),
+        }
+    }
+
+    /// What the worst of two is found by; none where the first is as good as any.
+    const fn worst(&self) -> Option<Mm> {
+        match self {
+            Self::Gouge { depth } | Self::Buried { depth } => Some(*depth),
+            Self::RapidCut { width }
+            | Self::Holder { width, .. }
+            | Self::Struck { width, .. }
+            | Self::TapBlocked { width }
+            | Self::TapHoleWide { width } => Some(*width),
+            Self::Stands { thickness, .. } => Some(*thickness),
+            Self::Corner { left, .. } => Some(*left),
+            Self::ThreadPhase { shift, .. } => Some(*shift),
+            _ => None,
+        }
+    }
+
+    /// The ends of metal that remains.
+    const fn span(&self) -> Option<(Mm, Mm)> {
+        match self {
+            Self::Stands { from_z, to_z, .. } => Some((*from_z, *to_z)),
+            _ => None,
+        }
+    }
+
+    /// Whether another of the same surface or tool is merged with it.
+    fn is_one_with(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Struck { body: one, .. }, Self::Struck { body: other, .. }) => one == other,
+            (Self::Corner { radius: one, .. }, Self::Corner { radius: other, .. }) => one == other,
+            _ => discriminant(self) == discriminant(other) && !self.is_single(),
+        }
+    }
+}
+
+impl Fault {
+    pub(crate) fn of_tool(what: What, tool: &str, at: At, block: Block) -> Self {
+        Self { what, whose: Whose::Tool(tool.to_owned()), at: Some(at), block: Some(block), count: 1 }
+    }
+
+    pub(crate) const fn of_surface(what: What, surface: Option<Figure>, at: Option<At>, block: Option<Block>) -> Self {
+        Self { what, whose: Whose::Surface(surface), at, block, count: 1 }
+    }
+
+    /// Its stable code, the same as that of its note.
+    pub const fn code(&self) -> &'static str {
+        self.what.code()
+    }
+
+    /// The surface that it is told of; none if that has no name, or if it is told of a tool.
+    pub const fn surface(&self) -> Option<&Figure> {
+        match &self.whose {
+            Whose::Surface(surface) => surface.as_ref(),
+            Whose::Tool(_) => None,
         }
     }
 
     /// Whether it is only a note: the rounding that every nose leaves.
     pub const fn is_mild(&self) -> bool {
-        matches!(self, Self::Corner { .. })
+        matches!(self.what, What::Corner { .. })
     }
 
     /// The sentence.
     pub fn note(&self) -> Note {
-        let code = self.code();
-        let placed = |at: &At| Note::new(code).with("z", at.z).with("diameter", Mm(2.0 * at.radius.0.abs()));
-        let of_surface = |note: Note, surface: &Option<Figure>| {
-            note.with("surface", surface.clone().unwrap_or_else(|| Figure::word("surface-without-name")))
+        let mut note = Note::new(self.code());
+        if let Some(at) = self.at {
+            note = note.with("z", at.z);
+            if self.what.tells_diameter() {
+                note = note.with("diameter", Mm(2.0 * at.radius.0.abs()));
+            }
+        }
+        let note = match &self.whose {
+            Whose::Tool(tool) => note.with("tool", tool),
+            Whose::Surface(surface) => {
+                note.with("surface", surface.clone().unwrap_or_else(|| Figure::word("surface-without-name")))
+            }
         };
-        match self {
-            Self::Gouge { surface, depth, at, count, .. } => {
-                of_surface(placed(at), surface).with("depth", depth).with("count", count)
-            }
-            Self::TapOutOfStep { tool, pitch, lead, at, count, .. } => {
-                let note = Note::new(code).with("z", at.z).with("tool", tool);
-                note.with("pitch", pitch).with("lead", lead).with("count", count)
-            }
-            Self::ThreadLead { surface, pitch, lead, at, count, .. } => {
-                let note = of_surface(Note::new(code).with("z", at.z), surface);
-                note.with("pitch", pitch).with("lead", lead).with("count", count)
-            }
-            Self::Buried { tool, depth, at, count, .. } => {
-                Note::new(code).with("z", at.z).with("tool", tool).with("depth", depth).with("count", count)
-            }
-            Self::ThreadPhase { surface, pitch, shift, at, count, .. } => {
-                let note = of_surface(Note::new(code).with("z", at.z), surface).with("pitch", pitch);
-                note.with("shift", shift).with("count", count)
-            }
-            Self::TapHoleWide { surface, width, at, count, .. } => {
-                of_surface(placed(at), surface).with("width", width).with("count", count)
-            }
-            Self::RapidCut { tool, width, at, count, .. }
-            | Self::Holder { tool, width, at, count, .. }
-            | Self::TapBlocked { tool, width, at, count, .. } => {
-                placed(at).with("tool", tool).with("width", width).with("count", count)
-            }
-            Self::Struck { tool, body, width, at, count, .. } => {
-                placed(at).with("tool", tool).with("body", body).with("width", width).with("count", count)
-            }
-            Self::OffAxis { tool, at, count, .. } => placed(at).with("tool", tool).with("count", count),
-            Self::Stands { surface, thickness, at, from_z, to_z } => {
-                of_surface(placed(at), surface).with("thickness", thickness).with("from", from_z).with("to", to_z)
-            }
-            Self::OffSize { surface, measured, least, most, z, .. } => {
-                let note = of_surface(Note::new(code).with("z", z), surface).with("measured", measured);
-                note.with("least", least).with("most", most)
-            }
-            Self::Corner { surface, radius, left, at, count } => {
-                of_surface(placed(at), surface).with("radius", radius).with("left", left).with("count", count)
-            }
-            Self::ThreadPart { surface, left, from_z, to_z } => {
-                of_surface(Note::new(code), surface).with("left", left).with("from", from_z).with("to", to_z)
-            }
-            Self::ThreadShallow { surface, left } | Self::ThreadShort { surface, left } => {
-                of_surface(Note::new(code), surface).with("left", left)
-            }
-        }
+        let note = self.what.told(note);
+        let counted = !self.what.is_single() && !matches!(self.what, What::Stands { .. });
+        if counted { note.with("count", self.count) } else { note }
     }
 
-    /// The surface by which it is merged with others; none of what is told of a tool.
-    const fn surface(&self) -> Option<&Figure> {
-        match self {
-            Self::Gouge { surface, .. }
-            | Self::Stands { surface, .. }
-            | Self::OffSize { surface, .. }
-            | Self::Corner { surface, .. }
-            | Self::ThreadShallow { surface, .. }
-            | Self::ThreadPart { surface, .. }
-            | Self::ThreadLead { surface, .. }
-            | Self::ThreadPhase { surface, .. }
-            | Self::TapHoleWide { surface, .. }
-            | Self::ThreadShort { surface, .. } => surface.as_ref(),
-            Self::RapidCut { .. }
-            | Self::Holder { .. }
-            | Self::Struck { .. }
-            | Self::OffAxis { .. }
-            | Self::Buried { .. }
-            | Self::TapBlocked { .. }
-            | Self::TapOutOfStep { .. } => None,
-        }
-    }
-
-    /// Merges another fault of the same kind, surface, tool and body; false if it differs.
+    /// Merges another fault of the same surface or tool; false if it is none of the same kind.
     fn take(&mut self, other: &Self) -> bool {
-        let worse = match (&*self, other) {
-            (Self::Gouge { surface: a, depth: mine, .. }, Self::Gouge { surface: b, depth, .. }) if a == b => {
-                depth > mine
-            }
-            (Self::TapHoleWide { surface: a, width: mine, .. }, Self::TapHoleWide { surface: b, width, .. })
-                if a == b =>
-            {
-                width > mine
-            }
-            (Self::RapidCut { tool: a, width: mine, .. }, Self::RapidCut { tool: b, width, .. })
-            | (Self::TapBlocked { tool: a, width: mine, .. }, Self::TapBlocked { tool: b, width, .. })
-            | (Self::Holder { tool: a, width: mine, .. }, Self::Holder { tool: b, width, .. })
-                if a == b =>
-            {
-                width > mine
-            }
-            (Self::Struck { tool: a, body: of, width: mine, .. }, Self::Struck { tool: b, body: on, width, .. })
-                if a == b && of == on =>
-            {
-                width > mine
-            }
-            (Self::OffAxis { tool: a, .. }, Self::OffAxis { tool: b, .. })
-            | (Self::TapOutOfStep { tool: a, .. }, Self::TapOutOfStep { tool: b, .. })
-                if a == b =>
-            {
-                false
-            }
-            (Self::ThreadLead { surface: a, .. }, Self::ThreadLead { surface: b, .. }) if a == b => false,
-            (Self::Buried { tool: a, depth: mine, .. }, Self::Buried { tool: b, depth, .. }) if a == b => depth > mine,
-            (Self::ThreadPhase { surface: a, shift: mine, .. }, Self::ThreadPhase { surface: b, shift, .. })
-                if a == b =>
-            {
-                shift > mine
-            }
-            (Self::Stands { surface: a, thickness: mine, .. }, Self::Stands { surface: b, thickness, .. })
-                if a == b =>
-            {
-                thickness > mine
-            }
-            (
-                Self::Corner { surface: a, radius: of, left: mine, .. },
-                Self::Corner { surface: b, radius: on, left, .. },
-            ) if a == b && of == on => left > mine,
-            _ => return false,
-        };
-        let (known, length) = (self.count(), self.length());
-        if worse {
+        if !self.what.is_one_with(&other.what) {
+            return false;
+        }
+        let (count, spans) = (self.count + other.count, (self.what.span(), other.what.span()));
+        if other.what.worst() > self.what.worst() {
             *self = other.clone();
         }
-        if let Some(count) = self.count_mut() {
-            *count = known + other.count();
-        }
-        if let (Self::Stands { from_z, to_z, .. }, Some(mine), Some(other)) = (self, length, other.length()) {
-            *from_z = Mm(mine.0.max(other.0));
-            *to_z = Mm(mine.1.min(other.1));
+        self.count = count;
+        if let (What::Stands { from_z, to_z, .. }, (Some(mine), Some(others))) = (&mut self.what, spans) {
+            (*from_z, *to_z) = (Mm(mine.0.0.max(others.0.0)), Mm(mine.1.0.min(others.1.0)));
         }
         true
-    }
-
-    const fn length(&self) -> Option<(f64, f64)> {
-        match self {
-            Self::Stands { from_z, to_z, .. } => Some((from_z.0, to_z.0)),
-            _ => None,
-        }
-    }
-
-    const fn count(&self) -> usize {
-        match self {
-            Self::Gouge { count, .. }
-            | Self::RapidCut { count, .. }
-            | Self::Holder { count, .. }
-            | Self::Struck { count, .. }
-            | Self::OffAxis { count, .. }
-            | Self::TapBlocked { count, .. }
-            | Self::TapOutOfStep { count, .. }
-            | Self::TapHoleWide { count, .. }
-            | Self::ThreadLead { count, .. }
-            | Self::ThreadPhase { count, .. }
-            | Self::Buried { count, .. }
-            | Self::Corner { count, .. } => *count,
-            Self::Stands { .. }
-            | Self::OffSize { .. }
-            | Self::ThreadShallow { .. }
-            | Self::ThreadShort { .. }
-            | Self::ThreadPart { .. } => 1,
-        }
-    }
-
-    const fn count_mut(&mut self) -> Option<&mut usize> {
-        match self {
-            Self::Gouge { count, .. }
-            | Self::RapidCut { count, .. }
-            | Self::Holder { count, .. }
-            | Self::Struck { count, .. }
-            | Self::OffAxis { count, .. }
-            | Self::TapBlocked { count, .. }
-            | Self::TapOutOfStep { count, .. }
-            | Self::TapHoleWide { count, .. }
-            | Self::ThreadLead { count, .. }
-            | Self::ThreadPhase { count, .. }
-            | Self::Buried { count, .. }
-            | Self::Corner { count, .. } => Some(count),
-            Self::Stands { .. }
-            | Self::OffSize { .. }
-            | Self::ThreadShallow { .. }
-            | Self::ThreadShort { .. }
-            | Self::ThreadPart { .. } => None,
-        }
     }
 }
 
@@ -485,13 +316,13 @@ impl Fault {
 #[derive(Clone, Debug, Default)]
 pub struct Faults {
     all: Vec<Fault>,
-    /// Where those of a surface stand, and those of none: only these may be merged.
-    of: BTreeMap<Option<Figure>, Vec<usize>>,
+    /// Where those of a surface or a tool stand: only these may be merged.
+    of: BTreeMap<Whose, Vec<usize>>,
 }
 
 impl Faults {
     pub fn add(&mut self, fault: Fault) {
-        let places = self.of.entry(fault.surface().cloned()).or_default();
+        let places = self.of.entry(fault.whose.clone()).or_default();
         if !places.iter().any(|place| self.all[*place].take(&fault)) {
             places.push(self.all.len());
             self.all.push(fault);

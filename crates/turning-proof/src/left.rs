@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::carry::{Carried, TOLERANCE, samples};
-use crate::fault::Fault;
+use crate::fault::{Fault, What};
 use crate::plane::{AlongAxis, Rule, Vector, Window};
 use crate::target::Nearest;
 use crate::units::{At, Mm};
@@ -96,7 +96,7 @@ fn tell_corner(carried: &mut Carried<'_>, corner: &[Left], nose: f64) {
     if let Some(most) = corner.iter().max_by(|a, b| a.near.distance.total_cmp(&b.near.distance)) {
         let (surface, at) = (carried.target.surface(most.near.piece), At::of(most.spot));
         let (radius, left) = (Mm(nose), Mm(most.near.distance));
-        carried.faults.add(Fault::Corner { surface, radius, left, at, count: 1 });
+        carried.faults.add(Fault::of_surface(What::Corner { radius, left }, surface, Some(at), None));
     }
 }
 
@@ -109,12 +109,8 @@ fn tell_stands(carried: &mut Carried<'_>, stands: &[Left]) {
     for (piece, left) in by_piece {
         let Some(most) = left.iter().max_by(|a, b| a.thickness.total_cmp(&b.thickness)) else { continue };
         let window = Window::around(left.iter().map(|left| left.spot));
-        carried.faults.add(Fault::Stands {
-            surface: carried.target.surface(piece),
-            thickness: Mm(most.thickness),
-            at: At::of(most.spot),
-            from_z: Mm(window.most.z),
-            to_z: Mm(window.least.z),
-        });
+        let (thickness, from_z, to_z) = (Mm(most.thickness), Mm(window.most.z), Mm(window.least.z));
+        let (what, surface) = (What::Stands { thickness, from_z, to_z }, carried.target.surface(piece));
+        carried.faults.add(Fault::of_surface(what, surface, Some(At::of(most.spot)), None));
     }
 }

@@ -45,7 +45,7 @@ use technolog_note as note;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-pub use fault::Fault;
+pub use fault::{Fault, What, Whose};
 pub use refused::Refused;
 pub use set_up::{
     Body, Indexed, IndexedNear, Limits, Motion, MotionKind, Piece, Profile, ProfilePiece, Sense, SetUp, Size,

@@ -1,10 +1,10 @@
 //! Diameters and lengths with limits, measured on the stock after all motions.
 
 use crate::carry::Carried;
-use crate::fault::Fault;
+use crate::fault::{Fault, What};
 use crate::plane::{Vector, Window};
-use crate::set_up::ProfilePiece;
-use crate::units::{Block, Mm};
+use crate::set_up::{Limits, ProfilePiece};
+use crate::units::{At, Block, Mm};
 
 /// A size that lies so little outside of its limits is within them, mm: programs are written to a micrometre.
 const ROUNDING: f64 = 0.0005;
@@ -21,11 +21,8 @@ const PLACES: usize = 5;
 pub fn hold(carried: &mut Carried<'_>) {
     let found: Vec<Fault> = carried.drawn().filter_map(|(piece, outside)| measured(carried, piece, outside)).collect();
     for fault in found {
-        let Fault::OffSize { surface: of, .. } = &fault else { continue };
-        let told = |other: &Fault| match other {
-            Fault::Stands { surface, thickness: by, .. } | Fault::Gouge { surface, depth: by, .. } => {
-                surface == of && by.0 < NEAR
-            }
+        let told = |other: &Fault| match other.what {
+            What::Stands { thickness: by, .. } | What::Gouge { depth: by } => other.whose == fault.whose && by.0 < NEAR,
             _ => false,
         };
         carried.faults.without(told);
@@ -56,17 +53,9 @@ fn measured(carried: &Carried<'_>, piece: &ProfilePiece, outside: bool) -> Optio
     let block: Option<Block> = carried.cut_at(spot).map(|motion| motion.block);
     // Told to a micrometre, as programs have it.
     let measured = Mm((1000.0 * size).round() / 1000.0);
-    let (surface, least, most) = (piece.surface.clone(), limits.least, limits.most);
-    Some(Fault::OffSize {
-        surface,
-        size: limits.size,
-        measured,
-        least,
-        most,
-        missing: beyond < 0.0,
-        z: Mm(spot.z),
-        block,
-    })
+    let Limits { size, least, most } = limits;
+    let what = What::OffSize { size, measured, least, most, missing: beyond < 0.0 };
+    Some(Fault::of_surface(what, piece.surface.clone(), Some(At::of(spot)), block))
 }
 
 /// How far from a place of the contour the edge of the stock lies, outwards; none if it is not near.

@@ -1,7 +1,7 @@
 //! Taps: the hole before them, their step with the spindle, and how deep their thread is full.
 
 use crate::carry::{Carried, TOLERANCE, thickest};
-use crate::fault::Fault;
+use crate::fault::{Fault, What};
 use crate::plane::{Convex, Region, Rule, Vector};
 use crate::set_up::Motion;
 use crate::target::Threaded;
@@ -14,19 +14,17 @@ pub(crate) const LEAD: f64 = 0.0001;
 impl Carried<'_> {
     /// A motion of a tap at feed: what it swept, and its body.
     pub(crate) fn tap(&mut self, motion: &Motion, cuts: &[Convex], holds: &[Convex]) {
-        let tool = self.tool(motion);
-        let Cutter::Tap { diameter, pitch, lead, .. } = tool.cutter else { return };
+        let Cutter::Tap { diameter, pitch, lead, .. } = self.tool(motion).cutter else { return };
         self.take_off();
-        let (from, to, block) = (motion.path.from(), motion.path.to(), motion.block);
+        let (from, to) = (motion.path.from(), motion.path.to());
         let cut = self.overlap(cuts, &[]).is_some();
         // In step, or at a feed per turn, which a chuck with compensation follows.
         let travel = motion.lead;
         if cut && travel.is_none_or(|travel| (travel.0 - pitch.0).abs() > LEAD) {
-            let (tool, lead) = (tool.designation.clone(), travel.unwrap_or_default());
-            self.faults.add(Fault::TapOutOfStep { tool, pitch, lead, at: to, block, count: 1 });
+            self.fault(What::TapOutOfStep { pitch, lead: travel.unwrap_or_default() }, motion, to);
         }
         if let Some((width, at)) = self.overlap(holds, &[]) {
-            self.faults.add(Fault::TapBlocked { tool: tool.designation.clone(), width, at, block, count: 1 });
+            self.fault(What::TapBlocked { width }, motion, at);
         }
         if to.z.0 >= from.z.0 {
             return;
@@ -43,8 +41,8 @@ impl Carried<'_> {
             let deepest = self.tapped[index].map_or(full, |known: f64| known.min(full));
             self.tapped[index] = Some(deepest);
             if let Some((width, at)) = self.missing(&thread, tap.largest_hole.0 / 2.0, full) {
-                let surface = thread.surface.clone();
-                self.faults.add(Fault::TapHoleWide { surface, width, at, block, count: 1 });
+                let (what, surface) = (What::TapHoleWide { width }, thread.surface.clone());
+                self.faults.add(Fault::of_surface(what, surface, Some(at), Some(motion.block)));
             }
         }
     }

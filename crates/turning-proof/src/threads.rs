@@ -1,13 +1,13 @@
 //! How much of the length of a thread its passes cut to the depth, and whether all of them run in one groove.
 
 use crate::carry::TOLERANCE;
-use crate::fault::Fault;
+use crate::fault::{Fault, What};
 use crate::plane::Vector;
 use crate::set_up::Motion;
 use crate::taps::LEAD;
 use crate::target::Threaded;
 use crate::tool::{Cutter, Side, Tool};
-use crate::units::{Degrees, Mm};
+use crate::units::{At, Degrees, Mm};
 
 /// How long a stretch of a thread may lack its depth, in pitches: the profile of the last turn is half a pitch wide to each side
 /// of the point that cuts it.
@@ -35,6 +35,15 @@ impl Pass {
 }
 
 impl Threaded {
+    /// A fault of the whole thread.
+    pub(crate) fn fault(&self, what: What) -> Fault {
+        Fault::of_surface(what, self.surface.clone(), None, None)
+    }
+
+    fn fault_of_pass(&self, what: What, at: At, motion: &Motion) -> Fault {
+        Fault::of_surface(what, self.surface.clone(), Some(at), Some(motion.block))
+    }
+
     /// Whether a tool may cut it: one of the other side passes it by, however deep its point is. Which tool of its own side
     /// cuts it does not matter here.
     pub(crate) fn is_cut_by(&self, tool: &Tool) -> bool {
@@ -73,8 +82,7 @@ impl Threaded {
         let lead = motion.lead.filter(|_| depth(radius) > TOLERANCE)?;
         let (pitch, share) = (self.thread.pitch, along.abs() / to.minus(from).length());
         if (lead.0 * share - pitch.0).abs() > LEAD {
-            let (surface, at, block) = (self.surface.clone(), motion.path.to(), motion.block);
-            return Some(Err(Fault::ThreadLead { surface, pitch, lead, at, block, count: 1 }));
+            return Some(Err(self.fault_of_pass(What::ThreadLead { pitch, lead }, motion.path.to(), motion)));
         }
         let middle = (self.z[0] + self.z[1]) / 2.0;
         let turns = begun + (middle - from.z) * along.signum() / (lead.0 * share);
@@ -110,13 +118,9 @@ impl Threaded {
             return Vec::new();
         }
         let out = passes.iter().filter(|pass| beside(pass) > TOLERANCE);
-        let fault = |pass: &Pass| Fault::ThreadPhase {
-            surface: self.surface.clone(),
-            pitch: self.thread.pitch,
-            shift: Mm(shift(pass).abs()),
-            at: pass.motion.path.from(),
-            block: pass.motion.block,
-            count: 1,
+        let fault = |pass: &Pass| {
+            let beside = What::ThreadPhase { pitch: self.thread.pitch, shift: Mm(shift(pass).abs()) };
+            self.fault_of_pass(beside, pass.motion.path.from(), &pass.motion)
         };
         out.map(fault).collect()
     }

@@ -33,6 +33,7 @@ pub mod passes;
 pub mod point;
 pub mod program;
 mod reading;
+mod reasons;
 pub mod schemes;
 pub mod shaft;
 pub mod tooling;

@@ -207,13 +207,10 @@ pub fn tightest(contour: &Contour) -> Option<Half> {
 mod tests {
     use super::*;
     use crate::turning::contour::Turn;
+    use crate::turning::point::at;
 
     const RIGHT: Tip = Tip { radial: -1, axial: 1 };
     const BORING: Tip = Tip { radial: 1, axial: 1 };
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
 
     fn nose(radius: f64, tip: Tip) -> Nose {
         Nose { radius: Half::from(radius), tip }

@@ -15,6 +15,12 @@ pub struct Point {
     pub z: Half,
 }
 
+/// A point at a radius and a Z, mm.
+#[cfg(test)]
+pub fn at(radius: f64, z: f64) -> Point {
+    Point { radius: Half::from(radius), z: Half::from(z) }
+}
+
 impl Serialize for Point {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut fields = serializer.serialize_struct("Point", 2)?;

@@ -59,6 +59,11 @@ pub(super) use mistake;
 /// A value with its place.
 pub(super) type Placed<T> = (T, Place);
 
+/// What is read of a key that may be left out: nothing if it stands there and is a mistake.
+pub(super) fn given<N, T>(node: Option<N>, read: impl FnOnce(N) -> Option<T>) -> Option<Option<T>> {
+    node.map_or(Some(None), |node| read(node).map(Some))
+}
+
 /// Reads a file and collects every mistake of it.
 pub(super) struct Reader<'a> {
     pub(super) knowledge: &'a Knowledge,

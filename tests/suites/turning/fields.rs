@@ -206,6 +206,25 @@ fn a_program_says_in_words_why_a_thread_has_single_passes() {
     }
 }
 
+/// A tube of Ø80, 120 mm long, is faced in the second set-up: soft jaws take a third of it, 40 mm (`soft-jaw-share`), and not the 115
+/// up to the tool; it does not go through a spindle of 53. A pin of Ø40 does, and is held close to its face by the same share.
+#[test]
+fn soft_jaws_are_bored_no_longer_than_the_grip_needs() {
+    let jaws = |bar: u32, outside: u32| {
+        let part = format!(
+            "shaft: P\nmaterial: steel-45\nblank: {{kind: bar, diameter: {bar}, length: 123, face: 1.5}}\nmachine: \
+             16k20f3\nouter:\n  - {{from: {{d: 0, z: 0}}}}\n  - {{face: {outside}}}\n  - {{cylinder: -120}}\n"
+        );
+        planned(&read_workpiece("part", &part, &KNOWLEDGE).unwrap()).set_ups[1].jaws.unwrap()
+    };
+    for (bar, outside, front) in [(85, 80, 80.0), (45, 40, 5.0)] {
+        let jaws = jaws(bar, outside);
+        assert!(jaws.soft);
+        assert!((jaws.length_mm.to_mm() - 40.0).abs() < 0.001, "{jaws:?}");
+        assert!((jaws.front_mm.to_mm() - front).abs() < 0.001, "{jaws:?}");
+    }
+}
+
 /// The first set-up leaves the seat of Ø54 thicker by the allowance for grinding, so soft jaws are bored to that.
 #[test]
 fn soft_jaws_are_bored_to_the_size_as_turned() {

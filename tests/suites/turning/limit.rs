@@ -359,6 +359,16 @@ fn stainless_steel_is_turned_by_its_own_row() {
     near(found.computed_speed_m_per_min.0, 44.9, 0.002);
 }
 
+/// Finishing stainless steel for Ra 2.5 the formula, whose coefficients are those of roughing, is slower than practice: the middle of
+/// what uncoated carbide is driven at is taken (TM-43-0106: 150 to 300 feet per minute, 45.7 to 91.4 m/min).
+#[test]
+fn stainless_steel_is_finished_in_the_middle_of_practice() {
+    let case = Case::new(knowledge(), "1740rf3", "PCLNR 2525M12", "stainless-12h18n10t");
+    let found = conditions(&case.cut(60.0, Direction::Longitudinal), mm(0.5), Some("Ra 2.5".parse().unwrap())).unwrap();
+    assert!(found.computed_speed_m_per_min.0 < 60.0, "{found:?}");
+    near(found.speed_m_per_min.0, (45.7 + 91.4) / 2.0, 0.01);
+}
+
 /// Finishing steel 45 at 0.2 mm/rev and 0.5 mm the formula drives beyond what any shop does; the upper end of practice is
 /// taken (`practice-speed-carbide`, coated, HB 175 to 225: 239.3 m/min), and the tool lives longer than planned.
 #[test]

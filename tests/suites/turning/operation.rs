@@ -15,7 +15,7 @@ use technolog::turning::toolpath::Purpose;
 use technolog::turning::workpiece::{Turned, Workpiece, read_turned, read_workpiece};
 use technolog::units::RevsPerMinute;
 use technolog_testing::{KNOWLEDGE, shafts, turned};
-use technolog_turning_proof::Fault;
+use technolog_turning_proof::{Fault, What};
 
 pub(crate) fn example(name: &str) -> Workpiece {
     let path = format!("{}/examples/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
@@ -133,8 +133,10 @@ fn unequal(operation: &Operation) -> Vec<String> {
             continue;
         }
         let corners = proof.faults.iter().filter_map(|fault| match fault {
-            Fault::Corner { radius, at, count: 1, .. } => Some(0.7 * radius.0 * radius.0 * 2.0 * PI * at.radius.0),
-            Fault::Corner { radius, count, .. } => {
+            Fault { what: What::Corner { radius, .. }, at: Some(at), count: 1, .. } => {
+                Some(0.7 * radius.0 * radius.0 * 2.0 * PI * at.radius.0)
+            }
+            Fault { what: What::Corner { radius, .. }, count, .. } => {
                 Some(0.7 * radius.0 * radius.0 * 2.0 * PI * FARTHEST * f64::from(u32::try_from(*count).unwrap()))
             }
             _ => None,
@@ -586,7 +588,7 @@ fn trace() {
             })
             .collect();
         for fault in proven.proof.iter().flat_map(|proof| &proof.faults) {
-            if let Some(at) = fault.block().and_then(|block| moves.get(block.0 - 1)) {
+            if let Some(at) = fault.block.and_then(|block| moves.get(block.0 - 1)) {
                 println!("fault {} in {at}", fault.code());
             }
         }

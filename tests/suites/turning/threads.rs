@@ -16,7 +16,7 @@ use technolog::turning::program::{Control, NotCycled};
 use technolog::turning::toolpath::Purpose;
 use technolog::turning::workpiece::{Workpiece, read_workpiece};
 use technolog_testing::KNOWLEDGE;
-use technolog_turning_proof::{At, Fault, Mm, Motion, Piece};
+use technolog_turning_proof::{At, Fault, Mm, Motion, Piece, What};
 
 use super::operation::{example, planned};
 
@@ -37,7 +37,7 @@ fn thread_faults(workpiece: &Workpiece, out: f64) -> Vec<Fault> {
         })
     });
     let proven = prove_set_up(&operation, &operation.proven, set_up, motions.collect(), Vec::new());
-    let of_thread = |fault: &Fault| matches!(fault, Fault::ThreadShallow { .. } | Fault::Gouge { .. });
+    let of_thread = |fault: &Fault| matches!(fault.what, What::ThreadShallow { .. } | What::Gouge { .. });
     proven.proof.unwrap().faults.into_iter().filter(of_thread).collect()
 }
 
@@ -54,9 +54,11 @@ fn a_thread_is_good_within_the_limits_of_its_pitch_diameter() {
             assert_eq!(thread_faults(part, out), [], "{}: {out}", part.name);
         }
         let deep = thread_faults(part, inwards * (half + 0.02));
-        assert!(matches!(&deep[..], [Fault::Gouge { .. }]), "{}: {deep:?}", part.name);
+        assert!(matches!(&deep[..], [Fault { what: What::Gouge { .. }, .. }]), "{}: {deep:?}", part.name);
         let shallow = thread_faults(part, -inwards * (half + 0.02));
-        let [Fault::ThreadShallow { left, .. }] = &shallow[..] else { panic!("{}: {shallow:?}", part.name) };
+        let [Fault { what: What::ThreadShallow { left }, .. }] = &shallow[..] else {
+            panic!("{}: {shallow:?}", part.name)
+        };
         assert!((left.0 - 0.018).abs() < 0.001, "{}: {left:?}", part.name);
     }
     let operation = planned(&nut);

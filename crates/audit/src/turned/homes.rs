@@ -30,7 +30,7 @@ pub(super) fn homes(
     }
     let known = |block: Block| {
         let proof = proven.proof.as_ref().ok();
-        proof.is_some_and(|proof| proof.faults.iter().any(|fault| fault.block() == Some(block)))
+        proof.is_some_and(|proof| proof.faults.iter().any(|fault| fault.block == Some(block)))
     };
     let mut faults: Vec<Fault> = Vec::new();
     for axis in ["X", "Z"] {
@@ -49,7 +49,7 @@ pub(super) fn homes(
         let other = prove_set_up(operation, &operation.proven, work, bent, Vec::new());
         let Ok(proof) = &other.proof else { continue };
         for (_, found) in told_of_program(operation, work.set_up.number, proof) {
-            let Some(block) = found.block().filter(|block| blocks.contains(block) && !known(*block)) else { continue };
+            let Some(block) = found.block.filter(|block| blocks.contains(block) && !known(*block)) else { continue };
             let line = u32::try_from(block.0).unwrap_or(u32::MAX);
             if faults.iter().any(|known| known.span.line == line) {
                 continue;

@@ -82,10 +82,10 @@ pub fn compare_with_part(
         None => taken.is_empty(),
     };
     let found = told_of_program(operation, set_up, proof).map(|(severity, found)| {
-        let line = found.block().and_then(|block| u32::try_from(block.0).ok());
+        let line = found.block.and_then(|block| u32::try_from(block.0).ok());
         // Lead and start of its passes hang on no tool.
-        use technolog_turning_proof::Fault::{ThreadLead, ThreadPhase};
-        let is_sure = is_sure(line) || matches!(found, ThreadLead { .. } | ThreadPhase { .. });
+        use technolog_turning_proof::What::{ThreadLead, ThreadPhase};
+        let is_sure = is_sure(line) || matches!(found.what, ThreadLead { .. } | ThreadPhase { .. });
         let least = if is_sure { Severity::Error } else { Severity::Doubtful };
         fault(found.code(), severity.max(least), found.note().with("number", set_up), line.unwrap_or(end))
     });

@@ -141,11 +141,7 @@ fn layers(
 
 /// The sizes with limits at their surfaces, on the side of the metal.
 fn sizes(canvas: &mut Canvas, view: &View, operation: &Operation, (set_up, side): (&SetUpWork, &SideWork), lang: Lang) {
-    let stretch = match side.side {
-        Side::Outer => set_up.set_up.outer.as_ref(),
-        Side::Inner => set_up.set_up.inner.as_ref(),
-    };
-    for surface in stretch.iter().flat_map(|stretch| &stretch.profile.surfaces) {
+    for surface in set_up.set_up.side(side.side).iter().flat_map(|stretch| &stretch.profile.surfaces) {
         let (Some(sized), Some(piece)) = (operation.sizes.of_surface(&surface.name), surface.pieces.first()) else {
             continue;
         };

@@ -84,6 +84,8 @@ vocabulary! {
         JawClearance = "jaw-clearance",
         /// The least clearance, where little is left for gripping.
         JawClearanceLeast = "jaw-clearance-least",
+        /// The step bored into soft jaws, divided by the length of the part.
+        SoftJawShare = "soft-jaw-share",
         /// The share of its edge that a tool brings into a wall while it rises.
         WallShare = "wall-share",
         /// The step to which depths are rounded.

@@ -1,7 +1,7 @@
 //! Set-ups whose figures are worked by hand.
 
 use technolog_turning_proof::MotionKind::{Feed, Rapid};
-use technolog_turning_proof::{At, Fault, Mm};
+use technolog_turning_proof::{At, Fault, Mm, What, Whose};
 
 use crate::made::{at, bar_work, chain, is, pclnr, program, proven, wrong, insert, bare};
 use technolog_turning_proof::{Hand, Side};
@@ -17,8 +17,8 @@ fn a_falling_cone_is_gouged_by_its_nose() {
     let path = program(0, (5.0, 45.0), &[(Rapid, 2.0, 40.0 + up), (Feed, -5.0, 40.0 + up), (Feed, -5.0 + z, 40.0 - fall + up)]);
     let tool = bare(insert(95.0, 52.0, 0.8, Hand::Right, Side::Outside));
     let faults = wrong(&bar_work(part, 45.0, (-80.0, 0.0), tool, path));
-    let gouge = faults.iter().find(|fault| matches!(fault, Fault::Gouge { .. }));
-    let Some(Fault::Gouge { surface, depth, block, .. }) = gouge else { panic!("{faults:?}") };
+    let gouge = faults.iter().find(|fault| matches!(fault.what, What::Gouge { .. }));
+    let Some(Fault { what: What::Gouge { depth }, whose: Whose::Surface(surface), block, .. }) = gouge else { panic!("{faults:?}") };
     assert!((depth.0 - 0.2806).abs() < 0.001, "{depth:?}");
     println!("{surface:?} {block:?} {faults:?}");
 }

@@ -4,7 +4,7 @@ use technolog_note::Figure;
 use technolog_turning_proof::MotionKind::{Feed, Rapid};
 use technolog_turning_proof::{
     Block, Body, Cutter, Degrees, Fault, Hand, Holder, Mm, MotionKind, Piece, Profile, ProfilePiece, Refused, SetUp,
-    Side, Stock, Tool, prove,
+    Side, Stock, Tool, What, Whose, prove,
 };
 
 use crate::clean::{SHAFT, blade, shaft_work, thread};
@@ -24,9 +24,11 @@ fn a_falling_cone_led_by_the_theoretical_point_is_gouged() {
     let moves = [(Rapid, 2.0, 40.0 + up), (Feed, -5.0, 40.0 + up), (Feed, -25.0, 40.0 - fall + up)];
     let tool = bare(insert(95.0, 52.0, 0.8, Hand::Right, Side::Outside));
     let faults = wrong(&bar_work(part, 45.0, (-80.0, 0.0), tool, program(0, (5.0, 50.0), &moves)));
-    let [Fault::Gouge { surface, depth, block, .. }, ..] = &faults[..] else { panic!("{faults:?}") };
+    let [Fault { what: What::Gouge { depth }, whose: Whose::Surface(surface), block, .. }, ..] = &faults[..] else {
+        panic!("{faults:?}")
+    };
     assert!(is(*depth, 0.2806), "{depth:?}");
-    assert_eq!((surface, *block), (&named("s3"), Block(3)));
+    assert_eq!((surface, *block), (&named("s3"), Some(Block(3))));
 }
 
 /// Steeper than φ1 = 5° by 5°, so that the edge behind the nose cuts. From where it would meet the main one it is 12 long; the nose
@@ -41,7 +43,9 @@ fn the_edge_behind_the_nose_gouges_what_falls_steeper() {
     let moves = [(Rapid, -9.0, 32.0), (Feed, -10.0, 30.0 + up), (Feed, -35.0, 30.0 + up - 25.0 * libm::tan(angle))];
     let tool = bare(insert(95.0, 5.0, 0.8, Hand::Right, Side::Outside));
     let faults = wrong(&bar_work(part, 30.5, (-80.0, 0.0), tool, program(0, (-9.0, 40.0), &moves)));
-    let [Fault::Gouge { surface, depth, .. }, ..] = &faults[..] else { panic!("{faults:?}") };
+    let [Fault { what: What::Gouge { depth }, whose: Whose::Surface(surface), .. }, ..] = &faults[..] else {
+        panic!("{faults:?}")
+    };
     assert!(is(*depth, 0.9597), "{depth:?}");
     assert_eq!(*surface, named("s3"));
 }
@@ -52,15 +56,18 @@ fn a_rapid_through_the_shoulder_is_found() {
     let mut moves = SHAFT.to_vec();
     moves.extend([(Rapid, 2.0, 40.0), (Rapid, 2.0, 21.0), (Rapid, -60.0, 31.0)]);
     let faults = wrong(&shaft_work(&moves));
-    let [Fault::RapidCut { tool, block, width, count: 1, .. }, ..] = &faults[..] else { panic!("{faults:?}") };
-    assert_eq!((tool.as_str(), *block), ("PCLNR", Block(28)));
+    let [Fault { what: What::RapidCut { width }, whose: Whose::Tool(tool), block, count: 1, .. }, ..] = &faults[..]
+    else {
+        panic!("{faults:?}")
+    };
+    assert_eq!((tool.as_str(), *block), ("PCLNR", Some(Block(28))));
     assert!(width.0 > 1.0, "{width:?}");
     // Before anything is cut the whole bar is in the way: the first pass at rapid.
     let mut moves = SHAFT.to_vec();
     moves[5].0 = Rapid;
     let faults = wrong(&shaft_work(&moves));
     // 1.7 mm of the radius.
-    let Fault::RapidCut { block: Block(6), width, .. } = &faults[0] else { panic!("{faults:?}") };
+    let Fault { what: What::RapidCut { width }, block: Some(Block(6)), .. } = &faults[0] else { panic!("{faults:?}") };
     assert!(is(*width, 1.7), "{width:?}");
 }
 
@@ -86,10 +93,12 @@ fn a_shank_hits_the_flange_behind_it() {
     let mut work = bar_work(chain(&spool), 1.0, (0.0, 1.0), pclnr(0.8), path(-40.0));
     work.stock = Stock::between(&Piece::lines(&blank.map(|(z, r)| at(z, r))), &[]);
     let hits = |work: &SetUp| -> Vec<Fault> {
-        wrong(work).into_iter().filter(|fault| !matches!(fault, Fault::Stands { .. })).collect()
+        wrong(work).into_iter().filter(|fault| !matches!(fault.what, What::Stands { .. })).collect()
     };
     let faults = hits(&work);
-    let [Fault::Holder { tool, width, count: 3, .. }] = &faults[..] else { panic!("{faults:?}") };
+    let [Fault { what: What::Holder { width, .. }, whose: Whose::Tool(tool), count: 3, .. }] = &faults[..] else {
+        panic!("{faults:?}")
+    };
     assert_eq!(tool, "PCLNR");
     assert!(is(*width, 1.25), "{width:?}");
     work.motions = path(-42.0);
@@ -103,10 +112,10 @@ fn a_blade_is_no_deeper_than_it_is() {
         chain(&[(0.0, 0.0), (0.0, 20.0), (-20.0, 20.0), (-20.0, 8.0), (-23.0, 8.0), (-23.0, 20.0), (-40.0, 20.0)]);
     let moves = [(Rapid, -23.0, 21.0), (Feed, -23.0, 8.0), (Feed, -23.0, 21.0)];
     let work = |depth| bar_work(part.clone(), 20.0, (-60.0, 30.0), blade(depth), program(0, (-23.0, 40.0), &moves));
-    let of_holder = |depth| wrong(&work(depth)).into_iter().find(|fault| matches!(fault, Fault::Holder { .. }));
+    let of_holder = |depth| wrong(&work(depth)).into_iter().find(|fault| matches!(fault.what, What::Holder { .. }));
     let fault = of_holder(10.0);
     assert!(
-        matches!(&fault, Some(Fault::Holder { kind: MotionKind::Feed, width, .. }) if is(*width, 2.0)),
+        matches!(&fault, Some(Fault { what: What::Holder { kind: MotionKind::Feed, width }, .. }) if is(*width, 2.0)),
         "{fault:?}"
     );
     assert_eq!(of_holder(12.0), None);
@@ -124,7 +133,9 @@ fn a_bar_touches_the_far_wall() {
     work.profile = Profile { bore: chain(&[(0.0, 10.0), (-30.0, 10.0)]), ..work.profile };
     work.stock = Stock::cylinder(Mm(30.0), Some(Mm(9.9)), Mm(-30.0), Mm(0.0));
     let faults = wrong(&work);
-    let [Fault::Holder { tool, width, .. }] = &faults[..] else { panic!("{faults:?}") };
+    let [Fault { what: What::Holder { width, .. }, whose: Whose::Tool(tool), .. }] = &faults[..] else {
+        panic!("{faults:?}")
+    };
     assert_eq!(tool, "S18");
     assert!(is(*width, 1.0), "{width:?}");
 }
@@ -142,10 +153,13 @@ fn facing_hits_the_tailstock_centre() {
         let tool = bare(insert(95.0, 60.0, 0.4, Hand::Right, Side::Outside));
         let mut work = bar_work(part, 32.0, (-100.0, 1.0), tool, path);
         work.bodies = vec![centre.clone()];
-        wrong(&work).into_iter().find(|fault| matches!(fault, Fault::Struck { .. }))
+        wrong(&work).into_iter().find(|fault| matches!(fault.what, What::Struck { .. }))
     };
     let struck = face(0.0);
-    let Some(Fault::Struck { body, block: Block(2), tool, .. }) = &struck else { panic!("{struck:?}") };
+    let Some(Fault { what: What::Struck { body, .. }, block: Some(Block(2)), whose: Whose::Tool(tool), .. }) = &struck
+    else {
+        panic!("{struck:?}")
+    };
     assert_eq!((body, tool.as_str()), (&Figure::word("centre"), "bare"));
     assert_eq!(face(2.6), None);
 }
@@ -161,7 +175,7 @@ fn a_drill_leaves_its_cone_over_a_flat_floor() {
     work.profile.bore = chain(&[(0.0, 10.0), (-30.0, 10.0), (-30.0, 0.0)]);
     let faults = proven(&work).faults;
     let thickest = faults.iter().map(|fault| match fault {
-        Fault::Stands { thickness, .. } => thickness.0,
+        Fault { what: What::Stands { thickness, .. }, .. } => thickness.0,
         other => panic!("{other:?}"),
     });
     let thickest = thickest.fold(0.0, f64::max);
@@ -173,7 +187,10 @@ fn a_drill_leaves_its_cone_over_a_flat_floor() {
     // Sideways a drill does not cut.
     work.motions = program(0, (50.0, 0.0), &[(Rapid, 3.0, 0.0), (Feed, -10.0, 0.0), (Feed, -10.0, 1.0)]);
     let faults = wrong(&work);
-    assert!(faults.iter().any(|fault| matches!(fault, Fault::OffAxis { block: Block(3), .. })), "{faults:?}");
+    assert!(
+        faults.iter().any(|fault| matches!(fault, Fault { what: What::OffAxis, block: Some(Block(3)), .. })),
+        "{faults:?}"
+    );
 }
 
 /// A face with 0.5 mm on it. A nose of 0.8 whose theoretical point stops at X0 leaves a pip as high as that; at X−2r it leaves none.
@@ -185,7 +202,11 @@ fn facing_to_the_axis_leaves_a_pip() {
         wrong(&bar_work(part, 30.0, (-100.0, 0.5), pclnr(0.8), path))
     };
     let faults = face(0.0);
-    let [Fault::Stands { surface, thickness, at, .. }] = &faults[..] else { panic!("{faults:?}") };
+    let [Fault { what: What::Stands { thickness, .. }, whose: Whose::Surface(surface), at: Some(at), .. }] =
+        &faults[..]
+    else {
+        panic!("{faults:?}")
+    };
     assert_eq!(*surface, named("s1"));
     assert!(is(*thickness, 0.5) && at.radius.0 < 0.06, "{faults:?}");
     assert_eq!(face(-0.8), []);
@@ -197,7 +218,9 @@ fn what_is_not_machined_stands() {
     let faults = wrong(&shaft_work(&[(Rapid, 10.0, 50.0)]));
     let stands = |wanted: &str| {
         faults.iter().find_map(|fault| match fault {
-            Fault::Stands { surface, thickness, from_z, to_z, .. } if *surface == named(wanted) => {
+            Fault { what: What::Stands { thickness, from_z, to_z }, whose: Whose::Surface(surface), .. }
+                if *surface == named(wanted) =>
+            {
                 Some((thickness.0, from_z.0, to_z.0))
             }
             _ => None,
@@ -206,7 +229,7 @@ fn what_is_not_machined_stands() {
     let (rim, from, to) = stands("s4").unwrap();
     assert!((rim - 2.0).abs() < 0.001 && to < -67.0 && from > -33.0, "{rim} {from} {to}");
     assert!((stands("s1").unwrap().0 - 2.0).abs() < 0.001);
-    assert!(faults.iter().all(|fault| matches!(fault, Fault::Stands { .. })));
+    assert!(faults.iter().all(|fault| matches!(fault.what, What::Stands { .. })));
 }
 
 /// Passes that end before the thread does, begin within it, or are drawn out too soon; half a pitch of 2.5 mm is the last turn's.
@@ -222,7 +245,7 @@ fn a_thread_is_cut_to_its_depth_along_all_its_length() {
             }
         }
         let parts = wrong(&work).into_iter().filter_map(|fault| match fault {
-            Fault::ThreadPart { left, from_z, to_z, .. } => Some((left, from_z, to_z)),
+            Fault { what: What::ThreadPart { left, from_z, to_z }, .. } => Some((left, from_z, to_z)),
             _ => None,
         });
         parts.collect::<Vec<_>>()
@@ -240,14 +263,23 @@ fn a_thread_is_cut_to_its_depth_along_all_its_length() {
 #[test]
 fn a_thread_is_neither_too_deep_nor_too_shallow() {
     let faults = wrong(&thread(8.675));
-    assert!(faults.iter().any(|fault| matches!(fault, Fault::Gouge { block: Block(14), .. })), "{faults:?}");
+    assert!(
+        faults.iter().any(|fault| matches!(fault, Fault { what: What::Gouge { .. }, block: Some(Block(14)), .. })),
+        "{faults:?}"
+    );
     // The passes at 9.5, 9.1 and 8.9 are the deepest: the last must reach 8.825, so 0.075 are left.
     let faults = wrong(&thread(8.9));
-    assert!(matches!(&faults[..], [Fault::ThreadShallow { left, .. }] if is(*left, 0.075)), "{faults:?}");
+    assert!(
+        matches!(&faults[..], [Fault { what: What::ThreadShallow { left }, .. }] if is(*left, 0.075)),
+        "{faults:?}"
+    );
     let mut uncut = thread(8.775);
     uncut.motions.clear();
     let faults = wrong(&uncut);
-    assert!(matches!(&faults[..], [Fault::ThreadShallow { left, .. }] if is(*left, 1.075)), "{faults:?}");
+    assert!(
+        matches!(&faults[..], [Fault { what: What::ThreadShallow { left }, .. }] if is(*left, 1.075)),
+        "{faults:?}"
+    );
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use technolog_turning_proof::MotionKind::Feed;
-use technolog_turning_proof::{Fault, Hand, Motion, Piece, SetUp, Side, Stock};
+use technolog_turning_proof::{Fault, Hand, Motion, Piece, SetUp, Side, Stock, What};
 
 use crate::made::{at, bar_work, bare, chain, insert, program, proven};
 
@@ -142,7 +142,7 @@ proptest! {
 
         let faults = proven(&work(&contour, &samples, 0.02)).faults;
         let depth = faults.iter().filter_map(|fault| match fault {
-            Fault::Gouge { depth, .. } => Some(depth.0),
+            Fault { what: What::Gouge { depth }, .. } => Some(depth.0),
             _ => None,
         });
         // Along the normal: on the steepest piece, 60°, half of it.

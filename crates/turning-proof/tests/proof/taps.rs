@@ -1,7 +1,9 @@
 //! A blind hole with a tapped thread, and each way to spoil it.
 
 use technolog_turning_proof::MotionKind::{Feed, Rapid, Thread as InStep};
-use technolog_turning_proof::{Cutter, Fault, Mm, Motion, MotionKind, Piece, Profile, SetUp, Stock, TapLimits, Thread};
+use technolog_turning_proof::{
+    Cutter, Fault, Mm, Motion, MotionKind, Piece, Profile, SetUp, Stock, TapLimits, Thread, What,
+};
 
 use crate::made::{at, bare, chain, is, line, program, wrong};
 
@@ -104,7 +106,7 @@ fn what_spoils_a_tapped_thread_is_told() {
 fn the_missing_length_is_told() {
     let left = |one: &Made| {
         wrong(&made(one)).into_iter().find_map(|fault| match fault {
-            Fault::ThreadShort { left, .. } => Some(left),
+            Fault { what: What::ThreadShort { left }, .. } => Some(left),
             _ => None,
         })
     };

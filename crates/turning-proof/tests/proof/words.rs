@@ -1,35 +1,38 @@
 //! Every finding has a text in both languages, with all its figures and no gap left.
 
 use technolog_note::{Figure, Note};
-use technolog_turning_proof::{Block, Fault, Mm, MotionKind, Refused};
+use technolog_turning_proof::{Block, Fault, Mm, MotionKind, Refused, What, Whose};
 use technolog_words::Lang;
 
 use crate::made::{Named, at};
 
 fn all() -> Vec<Note> {
-    let (tool, at, block, count) = ("PCLNR".to_owned(), at(-12.3456, 20.0), Block(7), 3);
-    let surface = Some(Figure::from_name("neck"));
-    let width = Mm(1.25);
-    let holder = |kind| Fault::Holder { tool: tool.clone(), width, at, kind, block, count };
+    let (block, width, pitch, lead) = (Block(7), Mm(1.25), Mm(1.75), Mm(1.5));
+    let place = (Some(at(-12.3456, 20.0)), Some(block));
+    let of_tool = |what| (what, Whose::Tool("PCLNR".to_owned()), place);
+    let of_surface = |what| (what, Whose::Surface(Some(Figure::from_name("neck"))), place);
+    let of_thread = |what| (what, Whose::Surface(Some(Figure::from_name("neck"))), (None, None));
     let faults = [
-        Fault::Gouge { surface: surface.clone(), depth: Mm(0.281), at, block, count },
-        Fault::RapidCut { tool: tool.clone(), width, at, block, count },
-        holder(MotionKind::Feed),
-        holder(MotionKind::Rapid),
-        Fault::Struck { tool: tool.clone(), body: Figure::from_name("jaws"), width, at, block, count },
-        Fault::OffAxis { tool: tool.clone(), at, block, count },
-        Fault::Stands { surface: None, thickness: Mm(0.3), at, from_z: Mm(-1.0), to_z: Mm(-5.0) },
-        Fault::Corner { surface: surface.clone(), radius: Mm(0.8), left: Mm(0.2343), at, count },
-        Fault::ThreadShallow { surface: surface.clone(), left: Mm(0.125) },
-        Fault::ThreadPart { surface: surface.clone(), left: Mm(14.5), from_z: Mm(-16.0), to_z: Mm(-30.5) },
-        Fault::TapBlocked { tool: tool.clone(), width, at, block, count },
-        Fault::ThreadLead { surface: surface.clone(), pitch: Mm(2.0), lead: Mm(1.5), at, block, count },
-        Fault::Buried { tool: tool.clone(), depth: Mm(4.5), at, block, count },
-        Fault::ThreadPhase { surface: surface.clone(), pitch: Mm(2.0), shift: Mm(0.625), at, block, count },
-        Fault::TapOutOfStep { tool: tool.clone(), pitch: Mm(1.75), lead: Mm(1.5), at, block, count },
-        Fault::TapHoleWide { surface: surface.clone(), width, at, block, count },
-        Fault::ThreadShort { surface, left: Mm(3.25) },
+        of_surface(What::Gouge { depth: Mm(0.281) }),
+        of_tool(What::RapidCut { width }),
+        of_tool(What::Holder { width, kind: MotionKind::Feed }),
+        of_tool(What::Holder { width, kind: MotionKind::Rapid }),
+        of_tool(What::Struck { body: Figure::from_name("jaws"), width }),
+        of_tool(What::OffAxis),
+        (What::Stands { thickness: Mm(0.3), from_z: Mm(-1.0), to_z: Mm(-5.0) }, Whose::Surface(None), place),
+        of_surface(What::Corner { radius: Mm(0.8), left: Mm(0.2343) }),
+        of_thread(What::ThreadShallow { left: Mm(0.125) }),
+        of_thread(What::ThreadPart { left: Mm(14.5), from_z: Mm(-16.0), to_z: Mm(-30.5) }),
+        of_tool(What::TapBlocked { width }),
+        of_surface(What::ThreadLead { pitch: Mm(2.0), lead }),
+        of_tool(What::Buried { depth: Mm(4.5) }),
+        of_surface(What::ThreadPhase { pitch: Mm(2.0), shift: Mm(0.625) }),
+        of_tool(What::TapOutOfStep { pitch, lead }),
+        of_surface(What::TapHoleWide { width }),
+        of_thread(What::ThreadShort { left: Mm(3.25) }),
     ];
+    let faults = faults.map(|(what, whose, (at, block))| Fault { what, whose, at, block, count: 3 });
+    let tool = "PCLNR".to_owned();
     let refused =
         [Refused::NoContour, Refused::NoTool { block }, Refused::Place { limit: Mm(5000.0) }, Refused::Tool { tool }];
     faults.iter().map(Fault::note).chain(refused.iter().map(Refused::note)).collect()

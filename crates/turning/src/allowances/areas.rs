@@ -128,15 +128,12 @@ fn segment(piece: Piece) -> Option<Segment> {
 
 #[cfg(test)]
 mod tests {
+    use crate::turning::point::at;
     use std::f64::consts::PI;
 
     use super::*;
     use crate::turning::allowances::equidistant;
     use crate::turning::length::Half;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
 
     /// A bar over a length.
     fn bar(radius: Half, from: Half, to: Half) -> Contour {

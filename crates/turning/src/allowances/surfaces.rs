@@ -8,7 +8,11 @@ pub use crate::tables::turning::part::Place;
 
 /// Where a surface on that side of the part lies. Cones and arcs count as cylinders.
 pub fn place(surface: &Surface, side: Side) -> Place {
-    let face = surface.kind == SurfaceKind::Face || surface.pieces.iter().all(|piece| piece.is_face());
+    on(side, surface.kind == SurfaceKind::Face || surface.pieces.iter().all(|piece| piece.is_face()))
+}
+
+/// The place on a side of the part, of a face or of what lies along the axis.
+pub const fn on(side: Side, face: bool) -> Place {
     match side {
         _ if face => Place::Face,
         Side::Outer => Place::Outer,

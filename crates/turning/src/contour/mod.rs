@@ -103,6 +103,12 @@ impl Contour {
         self.pieces.iter().map(|piece| piece.radii()).reduce(both)
     }
 
+    /// The least radius of its walls: of all of it but the faces.
+    pub fn narrowest(&self) -> Option<Half> {
+        let walls = self.pieces.iter().filter(|piece| !piece.is_face());
+        walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min()
+    }
+
     /// The part turned over: Z = `length` becomes Z = 0, and the contour runs from the free end again.
     #[must_use]
     pub fn turned_over(&self, length: Half) -> Self {
@@ -133,10 +139,7 @@ pub fn touching(pieces: &[Piece], from: Half, to: Half) -> &[Piece] {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     /// A pin of radius 10 with a fillet of 5 into a flange of radius 30 with a chamfer of 2.
     fn pin() -> Contour {

@@ -274,10 +274,7 @@ pub(super) fn both(one: (Half, Half), other: (Half, Half)) -> (Half, Half) {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     /// A quarter fillet of 5 from a cylinder of radius 20 into a face: its centre is 5 outwards of its beginning.
     #[test]

@@ -225,10 +225,7 @@ fn met(beside: Piece, around: Option<Piece>, cylinder: Piece, slopes: Slopes) ->
 mod tests {
     use super::*;
     use crate::turning::contour::{Contour, Turn};
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     fn one(drawn: f64, made: f64, from: f64, to: f64) -> Resized {
         let [drawn, made, from, to] = [drawn, made, from, to].map(Half::from);

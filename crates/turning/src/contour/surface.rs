@@ -86,6 +86,13 @@ impl Surface {
     pub const fn plain(name: SurfaceName, kind: SurfaceKind, pieces: Vec<Piece>) -> Self {
         Self { name, kind, pieces, grade: None, field: None, limits: None, roughness: None, stated_allowance: None }
     }
+
+    /// Its piece, if it is a plain cylinder or one with a thread.
+    pub fn cylinder(&self) -> Option<Piece> {
+        let [piece] = self.pieces.as_slice() else { return None };
+        let plain = matches!(self.kind, SurfaceKind::Cylinder | SurfaceKind::Thread);
+        (plain && piece.is_cylinder()).then_some(*piece)
+    }
 }
 
 /// The surfaces along one contour of the part, from the free end; each begins where the one before it ends.

@@ -15,61 +15,44 @@ use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, N
 use super::laws::{self, Component, ForceLaw};
 use super::{BarTooLong, CuttingRefusal, Direction, Flexibility, MissingFigure, TurningCut};
 
-/// A limit of the depth of cut.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Bound {
-    /// The bending stress of the shank is too large.
-    ShankStrength,
-    /// The deflection of the tip is too large.
-    ShankStiffness,
-    /// The edge of the insert is too short.
-    InsertEdge,
-    /// The main force is too large for the carriage.
-    CuttingForce,
-    /// The drive along the feed is too weak.
-    FeedForce,
-    /// The drive across the feed is too weak to hold the tool.
-    SideForce,
-    /// The torque of the spindle is too small.
-    SpindleTorque,
-    /// The power of the main drive is too small.
-    SpindlePower,
-    /// The deflection of the part is too large.
-    PartStiffness,
-    /// The bending stress of the part is too large.
-    PartStrength,
-    /// The pull of the cut is more than the jaws hold.
-    Grip,
-    /// The depth would be more than the radius of the part.
-    PartRadius,
-    /// The end of the handbook's feeds and formulas.
-    Handbook,
+technolog_knowledge::vocabulary! {
+    /// A limit of the depth of cut.
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Bound {
+        /// The bending stress of the shank is too large.
+        ShankStrength = "shank-strength",
+        /// The deflection of the tip is too large.
+        ShankStiffness = "shank-stiffness",
+        /// The edge of the insert is too short.
+        InsertEdge = "insert-edge",
+        /// The main force is too large for the carriage.
+        CuttingForce = "cutting-force",
+        /// The drive along the feed is too weak.
+        FeedForce = "feed-force",
+        /// The drive across the feed is too weak to hold the tool.
+        SideForce = "side-force",
+        /// The torque of the spindle is too small.
+        SpindleTorque = "spindle-torque",
+        /// The power of the main drive is too small.
+        SpindlePower = "spindle-power",
+        /// The deflection of the part is too large.
+        PartStiffness = "part-stiffness",
+        /// The bending stress of the part is too large.
+        PartStrength = "part-strength",
+        /// The pull of the cut is more than the jaws hold.
+        Grip = "grip",
+        /// The depth would be more than the radius of the part.
+        PartRadius = "part-radius",
+        /// The end of the handbook's feeds and formulas.
+        Handbook = "handbook",
+    }
 }
 
 impl Bound {
     /// Several of them, for a note.
     pub fn list(bounds: &[Self]) -> Figure {
         Figure::list(bounds.iter().map(|bound| Figure::word(bound.name())))
-    }
-
-    /// Its name in JSON and in sentences.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::ShankStrength => "shank-strength",
-            Self::ShankStiffness => "shank-stiffness",
-            Self::InsertEdge => "insert-edge",
-            Self::CuttingForce => "cutting-force",
-            Self::FeedForce => "feed-force",
-            Self::SideForce => "side-force",
-            Self::SpindleTorque => "spindle-torque",
-            Self::SpindlePower => "spindle-power",
-            Self::PartStiffness => "part-stiffness",
-            Self::PartStrength => "part-strength",
-            Self::Grip => "grip",
-            Self::PartRadius => "part-radius",
-            Self::Handbook => "handbook",
-        }
     }
 }
 
@@ -339,6 +322,13 @@ pub(super) fn constant_length(cut: &TurningCut<'_, '_>, name: Limit) -> Result<(
 pub fn jaw_clearance(knowledge: &Knowledge) -> Result<[Micrometres; 2], KnowledgeError> {
     let of = |name| constant(knowledge, name, |row| row.length).map(|(length, _)| length);
     Ok([of(Limit::JawClearanceLeast)?, of(Limit::JawClearance)?])
+}
+
+/// The share of a part's length that soft jaws are bored for.
+///
+/// # Errors `turning-limits` does not have it.
+pub fn soft_jaw_share(knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
+    Ok(ratio(knowledge, Limit::SoftJawShare)?.0)
 }
 
 /// The share of its edge that a tool may bring into a wall while it rises.

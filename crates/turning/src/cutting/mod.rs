@@ -31,7 +31,8 @@ use technolog_cutting::figures::Asking;
 
 pub use bounds::{Bound, GripLimit, Load, UnknownBound, deepest_edge, pull};
 pub use bounds::{
-    bar_clearance, bar_overhang, bar_reaches, jaw_clearance, largest_overhang, least_sensible_depth, wall_share,
+    bar_clearance, bar_overhang, bar_reaches, jaw_clearance, largest_overhang, least_sensible_depth, soft_jaw_share,
+    wall_share,
 };
 pub use conditions::{TurningConditions, conditions, within_part};
 pub use feed::{

@@ -67,12 +67,14 @@ impl SpeedLaw<'_> {
         let Some(practice) = &self.practice else { return Ok(stands) };
         let share = computed.0 / practice.typical.0;
         let formula = if self.formula.is_some() { Formula::Own } else { Formula::None };
-        let asked = cut.knowledge.ask(&TurningSecondOpinionFor { cut: self.cut, formula, share })?;
+        let material_group = cut.material.group;
+        let asked = cut.knowledge.ask(&TurningSecondOpinionFor { cut: self.cut, material_group, formula, share })?;
         let take = asked.need(self.cut.name())?.take;
         let (speed, lives) = match take {
             // Faster than the formula: its tool life does not apply to practice.
             Taken::PracticeLow if practice.lowest().is_some_and(|low| low.0 > computed.0) => (practice.low, None),
             Taken::PracticeHigh if practice.high.0 < computed.0 => (practice.high, self.formula),
+            Taken::PracticeUsual if self.formula.is_some() => (practice.typical, self.formula),
             _ => (computed, self.formula),
         };
         let taken = speed != computed || take == Taken::PracticeUsual;

@@ -170,10 +170,7 @@ fn joined(pieces: &[Piece]) -> Vec<Piece> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     const CLEARANCE: Clearance =
         Clearance { approach: Half::new(4000), retract: Half::new(1000), wall: Half::new(20_000), nearest: Half::ZERO };

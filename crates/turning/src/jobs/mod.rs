@@ -42,56 +42,37 @@ use crate::turning::toolpath::Toolpath;
 use crate::units::{Decimal, Degrees, Micrometres, MillimetresPerMinute, Minutes, NewtonMetres};
 pub use pace::Pace;
 
-/// The work of a job.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Work {
-    /// The free end is faced.
-    Face,
-    /// A centre hole, or the spot for a drill.
-    Centre,
-    /// A hole on the axis.
-    Drill,
-    /// The bottom of a hole is made flat.
-    Flatten,
-    /// The chamfer at the mouth of a hole.
-    Countersink,
-    /// A drilled hole is made wider and truer before it is reamed.
-    CoreDrill,
-    /// Stock is removed down to the rough contour.
-    Rough,
-    /// The finished contour.
-    Finish,
-    /// A hole on the axis is reamed to size.
-    Ream,
-    /// A groove or a relief, with its sides.
-    Groove,
-    /// A thread, pass by pass.
-    Thread,
-    /// A thread on the axis, with a tap.
-    Tap,
-    /// The part is cut off.
-    PartOff,
-}
-
-impl Work {
-    /// Its name in answers and in comments of programs.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Face => "face",
-            Self::Centre => "centre",
-            Self::Drill => "drill",
-            Self::Flatten => "flatten",
-            Self::Countersink => "countersink",
-            Self::CoreDrill => "core-drill",
-            Self::Rough => "rough",
-            Self::Finish => "finish",
-            Self::Ream => "ream",
-            Self::Groove => "groove",
-            Self::Thread => "thread",
-            Self::Tap => "tap",
-            Self::PartOff => "part-off",
-        }
+technolog_knowledge::vocabulary! {
+    /// The work of a job.
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Work {
+        /// The free end is faced.
+        Face = "face",
+        /// A centre hole, or the spot for a drill.
+        Centre = "centre",
+        /// A hole on the axis.
+        Drill = "drill",
+        /// The bottom of a hole is made flat.
+        Flatten = "flatten",
+        /// The chamfer at the mouth of a hole.
+        Countersink = "countersink",
+        /// A drilled hole is made wider and truer before it is reamed.
+        CoreDrill = "core-drill",
+        /// Stock is removed down to the rough contour.
+        Rough = "rough",
+        /// The finished contour.
+        Finish = "finish",
+        /// A hole on the axis is reamed to size.
+        Ream = "ream",
+        /// A groove or a relief, with its sides.
+        Groove = "groove",
+        /// A thread, pass by pass.
+        Thread = "thread",
+        /// A thread on the axis, with a tap.
+        Tap = "tap",
+        /// The part is cut off.
+        PartOff = "part-off",
     }
 }
 

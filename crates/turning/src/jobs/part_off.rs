@@ -115,9 +115,7 @@ fn blade<'k>(
     let asked = bench.knowledge.ask(&PartingBladeFor { diameter: parting.bar })?;
     let least = asked.need(&parting.bar.to_string())?.width;
     let over_width = limits.ratio(JobLimit::PartingDepth)?;
-    let mut tools = TurningTool::all(bench.knowledge)?;
-    tools.retain(|tool| (tool.kind, tool.works) == (ToolKind::Grooving, Place::Outer) && tool.nose_radius.is_some());
-    tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
+    let mut tools = bench.tools(ToolKind::Grooving, Place::Outer)?;
     // The shank of a right-hand tool is on the side of the part, away from the jaws.
     tools.sort_by_key(|tool| (tool.width, tool.hand == Hand::L));
     let wall = Half::radius_of(parting.bar) - Half::radius_of(parting.bore);

@@ -1,7 +1,6 @@
 //! The site of a job: the side of a set-up, and where a tool is clear of all metal.
 
 use crate::error::{Refusal, Tried};
-use crate::knowledge::vocabulary::Surface;
 use crate::note::Because;
 use crate::turning::contour::{Profile, Side};
 use crate::turning::cutting::{Direction, TurningCut, largest_overhang};
@@ -63,21 +62,7 @@ pub(super) fn cut<'a, 'k>(
     direction: Direction,
     bench: &'a Bench<'_, 'k>,
 ) -> Tried<TurningCut<'a, 'k>, NoJob> {
-    let (knowledge, material) = (bench.knowledge, &bench.material);
-    let (lathe, surface) = (lathe(bench)?, Surface::None);
-    Ok(TurningCut {
-        knowledge,
-        lathe,
-        tool,
-        material,
-        diameter,
-        direction,
-        surface,
-        bore_depth: None,
-        part: None,
-        grip: None,
-        spindle_most: None,
-    })
+    bench.cut(tool, diameter, direction).ok_or(Refusal::Not(NoJob::NoLathe))
 }
 
 /// The reach of a bar in a bore: from its row, otherwise by the ratio of `turning-limits` to its diameter. None for a

@@ -35,11 +35,7 @@ pub(super) fn between(contour: &Contour, from: Half, to: Half) -> Contour {
 mod tests {
     use super::*;
     use crate::turning::contour::Side;
-    use crate::turning::point::Point;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     #[test]
     fn the_end_face_goes_and_the_shoulder_ahead_stays() {

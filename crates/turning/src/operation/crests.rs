@@ -117,10 +117,7 @@ fn lower(mut pieces: Vec<Piece>, by: &Lowered) -> Vec<Piece> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     fn after(points: &[Point], thread: (f64, f64), ends: f64) -> Vec<Point> {
         let pieces = points.windows(2).map(|ends| Piece::line(ends[0], ends[1])).collect();

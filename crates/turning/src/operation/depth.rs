@@ -102,7 +102,7 @@ pub fn depth(
         Ok((mut limit, depth)) => {
             limit.because.push(skin);
             findings.extend(limit.findings());
-            if let Some((finding, because)) = asks(&limit, bench)? {
+            if let Some((finding, because)) = asks(&limit, task.stock, bench)? {
                 findings.push(finding);
                 limit.because.push(because);
             }
@@ -121,16 +121,20 @@ pub fn depth(
     }
 }
 
-/// The required support, where the deflection of the part leaves no useful depth.
+/// The required support, where the deflection of the part leaves no useful depth of the stock.
 ///
 /// # Errors
 /// The knowledge base lacks a table.
-fn asks(limit: &LimitingDepth, bench: &Bench<'_, '_>) -> Result<Option<(Finding, Because)>, KnowledgeError> {
+fn asks(
+    limit: &LimitingDepth,
+    stock: Half,
+    bench: &Bench<'_, '_>,
+) -> Result<Option<(Finding, Because)>, KnowledgeError> {
     let Some(held) = &bench.held else { return Ok(None) };
     let bends = matches!(limit.decided_by, Bound::PartStiffness | Bound::PartStrength);
-    let least = least_sensible_depth(bench.knowledge)?;
-    let shallow = bends && limit.depth_mm.is_none_or(|depth| depth < least);
-    shallow.then(|| held.asks(bench.knowledge)).transpose()
+    let least = Half::of(least_sensible_depth(bench.knowledge)?).min(stock);
+    let shallow = bends && limit.depth_mm.is_none_or(|depth| Half::of(depth) < least);
+    shallow.then(|| held.asks(limit.depth_mm, bench.knowledge)).transpose()
 }
 
 /// The most passes into which the search divides the stock.
@@ -232,29 +236,14 @@ fn cut<'a, 'k>(
     task: ZoneCut<'a, 'k>,
     bench: &'a Bench<'_, 'k>,
 ) -> Result<Option<(TurningCut<'a, 'k>, Because)>, KnowledgeError> {
-    let Some(lathe) = bench.lathe else { return Ok(None) };
-    let (knowledge, stock) = (bench.knowledge, bench.workpiece.blank.kind);
-    let asked = knowledge.ask(&TurningSkinFor { stock, group: bench.material.group })?;
+    let Some(cut) = bench.cut(task.tool, task.diameter, task.direction) else { return Ok(None) };
+    let stock = bench.workpiece.blank.kind;
+    let asked = bench.knowledge.ask(&TurningSkinFor { stock, group: bench.material.group })?;
     let surface = asked.need(stock.name())?.surface;
     let note = Note::new("turning-skin").with("kind", Figure::word(stock.name())).with("surface", surface.name());
     let because = Because::answer(&asked.answer, note);
-    let (tool, material) = (task.tool, &bench.material);
-    let (diameter, direction, bore_depth, part) = (task.diameter, task.direction, task.bore_depth, task.part);
-    let grip = bench.grip.as_ref();
-    let spindle_most = task.spindle_most;
-    let cut = TurningCut {
-        knowledge,
-        lathe,
-        tool,
-        material,
-        diameter,
-        direction,
-        surface,
-        bore_depth,
-        part,
-        grip,
-        spindle_most,
-    };
+    let ZoneCut { bore_depth, part, spindle_most, .. } = task;
+    let cut = TurningCut { surface, bore_depth, part, grip: bench.grip.as_ref(), spindle_most, ..cut };
     Ok(Some((cut, because)))
 }
 

@@ -51,9 +51,7 @@ pub(super) fn before_boring(
     knowledge: &Knowledge,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<(Drilled, Contour)>, KnowledgeError> {
-    let walls = rough.pieces.iter().filter(|piece| !piece.is_face());
-    let narrow = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min();
-    let (Some(narrow), Some(end)) = (narrow, rough.end()) else { return Ok(None) };
+    let (Some(narrow), Some(end)) = (rough.narrowest(), rough.end()) else { return Ok(None) };
     let asked = knowledge.ask(&BoreDrillFor { diameter: narrow.diameter().max(Micrometres::ZERO) })?;
     let rule = asked.need(&narrow.diameter().to_string())?;
     findings.extend(doubtful_row(rule.row));

@@ -9,11 +9,9 @@ use crate::turning::jobs::thread::{Passes, thread};
 use crate::turning::jobs::{Job, NoJob, Site};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::schemes::rates;
 use crate::turning::zones::{SetUp, TurnedSide};
 
 use super::SideWork;
-use super::jobs::stretch;
 use super::tools::Bench;
 use super::work::Hollow;
 
@@ -28,7 +26,7 @@ pub(super) fn features(
     findings: &mut Vec<Finding>,
 ) -> Result<Vec<Job>, KnowledgeError> {
     let (mut jobs, mut grooves) = (Vec::new(), Vec::new());
-    let Some(stretch) = stretch(set_up, side.side) else { return Ok(jobs) };
+    let Some(stretch) = set_up.side(side.side) else { return Ok(jobs) };
     let site = site(stretch, side, bench)?;
     let with_made = with_made_before(set_up, &stretch.profile, bench);
     let sized = bench.sizes.profile(&stretch.profile, set_up.turned_over);
@@ -50,10 +48,7 @@ pub(super) fn features(
 
 /// The surfaces of a set-up, and behind them those that the first set-up has made: a thread may end over them.
 pub(super) fn with_made_before(set_up: &SetUp, profile: &Profile, bench: &Bench<'_, '_>) -> Profile {
-    let part = match profile.side {
-        Side::Outer => Some(&bench.workpiece.outer),
-        Side::Inner => bench.workpiece.inner.as_ref(),
-    };
+    let part = bench.workpiece.profile(profile.side);
     let mut all = profile.clone();
     if let (Some(part), Some(end), true) = (part, profile.contour().end(), set_up.turned_over) {
         let behind = |surface: &Surface| surface.pieces.first().is_some_and(|first| first.from.z >= end.z);
@@ -105,7 +100,7 @@ pub(super) fn hollow(
     bench: &Bench<'_, '_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Option<Job>, KnowledgeError> {
-    let Some(stretch) = stretch(set_up, side.side) else { return Ok(None) };
+    let Some(stretch) = set_up.side(side.side) else { return Ok(None) };
     let surfaces: Vec<_> = hollow.surfaces.iter().filter_map(|index| stretch.profile.surfaces.get(*index)).collect();
     if surfaces.iter().any(|surface| bench.leaves(&surface.name)) {
         return Ok(None);
@@ -161,20 +156,11 @@ fn with_allowances(mut under: Contour, surfaces: &[&Surface], bench: &Bench<'_, 
 
 /// Where the tools of a side come from.
 fn site<'a>(stretch: &'a TurnedSide, side: &SideWork, bench: &Bench<'_, '_>) -> Result<Site<'a>, KnowledgeError> {
-    let (table, _) = rates::of_table(bench.knowledge)?;
-    let (approach, retract) = bench
-        .workpiece
-        .rates
-        .map_or((table.approach, table.retract), |rates| (rates.main.approach, rates.main.retract));
-    let (approach, retract) = (Half::of(approach), Half::of(retract));
+    let [approach, retract] = bench.approach_and_retract()?;
     let start = side.layers.rough.start().map_or(Half::ZERO, |start| start.z);
-    let walls = stretch.profile.surfaces.iter().flat_map(|surface| &surface.pieces).filter(|piece| !piece.is_face());
     let radius = match side.side {
         Side::Outer => side.layers.blank.radii().map_or(Half::ZERO, |(_, most)| most) + approach,
-        Side::Inner => {
-            let narrowest = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min();
-            narrowest.unwrap_or_default() - retract
-        }
+        Side::Inner => stretch.profile.contour().narrowest().unwrap_or_default() - retract,
     };
     Ok(Site { profile: &stretch.profile, clear: Point { radius, z: start - approach }, off: retract })
 }

@@ -132,10 +132,7 @@ mod tests {
     use super::*;
     use crate::turning::contour::{Contour, Side};
     use crate::turning::jobs::Tip;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     /// A pin with two seats of one diameter, a cone and a wall. The nose touches the second seat where the reference point is
     /// 0.8 past its beginning at Z 10; the cone rises by 30° from Z 30, so that its offset begins at

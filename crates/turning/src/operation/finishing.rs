@@ -440,8 +440,7 @@ fn told(own: &[(&Stretch<'_>, MillimetresPerRev)]) -> Vec<Note> {
 
 /// The narrowest diameter of a bore. The bottom of a blind one is no passage.
 fn narrowest(contour: &Contour) -> Option<Micrometres> {
-    let walls = contour.pieces.iter().filter(|piece| contour.side == Side::Inner && !piece.is_face());
-    walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min().map(Half::diameter)
+    contour.narrowest().filter(|_| contour.side == Side::Inner).map(Half::diameter)
 }
 
 /// The greatest height of a wall that a tool finishes upwards, so that its holder stays clear of the metal above:

@@ -85,20 +85,31 @@ impl Held {
     }
 
     /// The required support, where the deflection of the part leaves no useful depth, by the rule `turning-support`.
+    /// Shallow passes that a short part bears are slow, and no more than that; a slender one is better supported.
     ///
     /// # Errors
     /// The knowledge base lacks the rule, or a row of it.
-    pub fn asks(&self, knowledge: &Knowledge) -> Result<(Finding, Because), KnowledgeError> {
+    pub fn asks(
+        &self,
+        bears: Option<Micrometres>,
+        knowledge: &Knowledge,
+    ) -> Result<(Finding, Because), KnowledgeError> {
         let (support, slenderness) = (self.part.support(), self.part.slenderness());
         let slenderness = crate::units::round_to(slenderness, 1);
         let asked = knowledge.ask(&TurningSupportFor { support, slenderness })?;
         let ask = asked.need(support.name())?.ask;
-        let note = Note::new("part-too-slender")
+        let (severity, code) = match bears.filter(|depth| *depth > Micrometres::ZERO) {
+            None => (Severity::Wrong, "part-too-slender"),
+            Some(_) if ask == SupportAsked::SecondSetUp => (Severity::Note, "part-bears-little"),
+            Some(_) => (Severity::Doubtful, "part-bears-little"),
+        };
+        let note = Note::new(code)
             .with("support", Figure::word(support.name()))
             .with("ratio", slenderness)
             .with("ask", Figure::word(ask.name()));
+        let note = bears.into_iter().fold(note, |note, depth| note.with("depth", depth));
         let because = Because::answer(&asked.answer, note.clone());
-        Ok((Finding::of_part(Severity::Wrong, note), because))
+        Ok((Finding::of_part(severity, note), because))
     }
 
     /// Whether the part is short for its thickness, by the same rule: no support would make it stiffer.

@@ -249,10 +249,7 @@ fn same_carrier(one: &Piece, other: &Piece) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     fn contour(points: &[(f64, f64)]) -> Vec<Owned> {
         let points: Vec<Point> = points.iter().map(|(radius, z)| at(*radius, *z)).collect();

@@ -6,7 +6,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity};
 use crate::turning::allowances::Elsewhere;
-use crate::turning::cutting::jaw_clearance;
+use crate::turning::cutting::{jaw_clearance, soft_jaw_share};
 use crate::turning::length::Half;
 use crate::turning::tooling::Lathe;
 use crate::turning::workpiece::Workpiece;
@@ -118,17 +118,25 @@ impl Jaws {
         // Behind a steady rest the jaws stand as far from it as they can.
         let clear = if set_up.rest.is_some() { to } else { clear };
         let front_mm = clear.min(to - least).max(near).max(from).min(to);
-        let body = match lathe {
-            Some(lathe) => lathe.workholding(knowledge)?.map(|held| ChuckBody {
-                sweep_mm: held.jaws_sweep(grips_mm),
-                out_mm: held.jaw,
-                chuck_mm: held.chuck_diameter,
-            }),
-            None => None,
-        };
+        let held = lathe.map(|lathe| lathe.workholding(knowledge)).transpose()?.flatten();
         let soft = matches!(set_up.holds_at, Some(Hold::Surface { .. }));
+        // Nothing is gripped over more than the jaws are long, and soft ones are bored no longer than the grip needs.
+        let jaw = held.map(|held| Half::of(held.jaw));
+        let needed = Half::from(length.to_mm() * soft_jaw_share(knowledge)?).max(least);
+        let longest = Some(needed).filter(|_| soft).into_iter().chain(jaw).min();
+        let passes = lathe.and_then(|lathe| lathe.bar_hole).is_none_or(|hole| workpiece.largest_diameter() <= hole);
+        // What does not go through the spindle stands on the step that is bored for it.
+        let front_mm = match longest {
+            Some(longest) if soft && !passes && set_up.rest.is_none() => front_mm.max(to - longest),
+            _ => front_mm,
+        };
+        let body = held.map(|held| ChuckBody {
+            sweep_mm: held.jaws_sweep(grips_mm),
+            out_mm: held.jaw,
+            chuck_mm: held.chuck_diameter,
+        });
         let threaded = matches!(set_up.holds_at, Some(Hold::Surface { threaded: true, .. }));
-        let length_mm = (to - front_mm).min(touches);
+        let length_mm = [to - front_mm, touches].into_iter().chain(longest).min().unwrap_or_default();
         Ok(Some(Self {
             front_mm,
             grips_mm,

@@ -146,7 +146,7 @@ fn drilled(
     }
     let Some(made) = drills.pop() else { return Ok(jobs) };
     jobs.extend(drills);
-    let bottom = stretch(set_up, side.side).and_then(|stretch| stretch.profile.surfaces.last());
+    let bottom = set_up.side(side.side).and_then(|stretch| stretch.profile.surfaces.last());
     let surfaces = bottom.map(|surface| surface.name.clone()).into_iter().collect();
     let flattened = drilled.flat.then(|| hole::flatten(&made, drilled.depth_mm, face, surfaces, bench));
     jobs.push(made);
@@ -314,7 +314,7 @@ fn finish(
     if contour.pieces.is_empty() || contour == *standing || !side.zones.iter().all(ZoneWork::is_cleared) {
         return Ok(Vec::new());
     }
-    let made = stretch(set_up, side.side).map(|stretch| main_surfaces(stretch, set_up, bench));
+    let made = set_up.side(side.side).map(|stretch| main_surfaces(stretch, set_up, bench));
     let surfaces: Vec<&Surface> = made.iter().flatten().collect();
     let face = |surface: &&Surface| {
         surface.kind == SurfaceKind::Face && surface.pieces.iter().all(|piece| piece.from.z == Half::ZERO)
@@ -401,7 +401,7 @@ fn finish_hollow(
     let seam = Half::of(limits.length(JobLimit::HollowSeam)?);
     let over_lip = Half::of(limits.length(JobLimit::HollowOverLip)?);
     let steepest = limits.ratio(JobLimit::HollowSteepest)?;
-    let profile = stretch(set_up, side.side);
+    let profile = set_up.side(side.side);
     let profile = profile.map(|stretch| bench.sizes.profile(&stretch.profile, set_up.turned_over));
     let profile = profile.as_ref();
     let surfaces: Vec<&Surface> =
@@ -450,17 +450,9 @@ fn finish_hollow(
 
 /// A contour with the cylinders of threads and of fits as turned.
 fn as_turned(contour: Contour, set_up: &SetUp, bench: &Bench<'_, '_>) -> Contour {
-    let Some(stretch) = stretch(set_up, contour.side) else { return contour };
+    let Some(stretch) = set_up.side(contour.side) else { return contour };
     let crests = crests::turned(contour, &features::with_made_before(set_up, &stretch.profile, bench), bench.workpiece);
     bench.sizes.contour(crests, set_up)
-}
-
-/// The contour of a side in a set-up.
-pub(super) const fn stretch(set_up: &SetUp, side: Side) -> Option<&TurnedSide> {
-    match side {
-        Side::Outer => set_up.outer.as_ref(),
-        Side::Inner => set_up.inner.as_ref(),
-    }
 }
 
 /// A contour without the face at its free end.

@@ -8,14 +8,13 @@ use crate::tables::turning::jobs::JobLimit;
 use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::equidistant;
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
-use crate::turning::allowances::surfaces::Place;
+use crate::turning::allowances::surfaces::{Place, on};
 use crate::turning::contour::{Contour, Curve, Piece, Side, Surface, SurfaceKind};
 use crate::turning::jobs::UNKNOWN_EDGE;
 use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
 use crate::turning::nose::Nose;
 use crate::turning::point::Point;
-use crate::turning::schemes::rates;
 use crate::turning::shaft::Holding;
 use crate::turning::tooling::TurningTool;
 use crate::turning::workpiece::{Allowances, Workpiece};
@@ -113,11 +112,7 @@ pub fn layers(
             Some(distance) => distance,
             // A bridge: the allowance of a surface at its place.
             None => {
-                let place = match main.side {
-                    _ if piece.is_face() => Place::Face,
-                    Side::Outer => Place::Outer,
-                    Side::Inner => Place::Inner,
-                };
+                let place = on(main.side, piece.is_face());
                 let diameter = piece.from.radius.max(piece.to.radius).diameter();
                 allowance(place, diameter, length, method, knowledge)?.0.unwrap_or(Half::ZERO)
             }
@@ -261,8 +256,7 @@ fn faced_by_bar(
     is_last: bool,
     bench: &Bench<'_, '_>,
 ) -> Result<Option<Half>, KnowledgeError> {
-    let walls = bore.pieces.iter().filter(|piece| !piece.is_face());
-    let Some(narrow) = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min() else { return Ok(None) };
+    let Some(narrow) = bore.narrowest() else { return Ok(None) };
     let mut bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
     bars.retain(|bar| bar.min_bore.is_none_or(|least| least <= narrow.diameter()));
     bars.retain(|bar| tools::nearest_to_axis(bar, narrow).is_none_or(|nearest| nearest <= bottom.to.radius));
@@ -291,9 +285,8 @@ fn faced_by_bar(
 /// The knowledge base lacks the table of motions.
 pub(super) fn run_out(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
     let ends_open = left.end().is_some_and(|end| end.radius > Half::ZERO);
-    let (table, _) = rates::of_table(bench.knowledge)?;
-    let by = bench.workpiece.rates.map_or(table.approach, |rates| rates.main.approach);
-    Ok(if ends_open { Half::of(by) } else { Half::ZERO })
+    let [approach, _] = bench.approach_and_retract()?;
+    Ok(if ends_open { approach } else { Half::ZERO })
 }
 
 /// How far the outside goes on behind its end where the part is parted off there and the next set-up turns some of it: past the
@@ -384,10 +377,7 @@ pub(super) fn leading_on(mut contour: Contour, by: Half, slope: f64) -> Contour 
 
 /// The allowance that another machine finishes on the surface behind the end of a contour of the first set-up; zero without one.
 fn ground_behind(left: &Contour, bench: &Bench<'_, '_>) -> Half {
-    let part = match left.side {
-        Side::Outer => Some(&bench.workpiece.outer),
-        Side::Inner => bench.workpiece.inner.as_ref(),
-    };
+    let part = bench.workpiece.profile(left.side);
     let end = left.end();
     let begins =
         |surface: &&Surface| surface.pieces.first().is_some_and(|first| Some(first.from) == end && !first.is_face());

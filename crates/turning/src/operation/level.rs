@@ -37,10 +37,7 @@ pub(super) fn raised(contour: &Contour, level: Half) -> Contour {
 mod tests {
     use super::*;
     use crate::turning::contour::Turn;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     /// A pin of radius 10, a fillet of 10 up to 20, a cylinder. The centre of the fillet is (20, 20), so its radius is
     /// 14 at z = 20 + √(100 − 36) = 28.

@@ -29,34 +29,21 @@ pub(super) struct Parted {
     drilled: Micrometres,
 }
 
-/// Why a bar is not parted behind the part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum NotParted {
-    /// The blank is no bar or tube in a chuck.
-    NoBar,
-    /// A centre stands in its free end: the part would jam the blade between centre and chuck as it comes off.
-    Centre,
-    /// A steady rest stands before the place.
-    Rest,
-    /// No blade of the catalog reaches the axis.
-    NoBlade,
-    /// Too little of the blank is left for the jaws.
-    Short,
-    /// The hole through the part is too narrow.
-    Hole,
-}
-
-impl NotParted {
-    /// Its name in messages.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::NoBar => "no-bar",
-            Self::Centre => "centre",
-            Self::Rest => "rest",
-            Self::NoBlade => "no-blade",
-            Self::Short => "short",
-            Self::Hole => "hole",
-        }
+technolog_knowledge::vocabulary! {
+    /// Why a bar is not parted behind the part.
+    pub(super) enum NotParted {
+        /// The blank is no bar or tube in a chuck.
+        NoBar = "no-bar",
+        /// A centre stands in its free end: the part would jam the blade between centre and chuck as it comes off.
+        Centre = "centre",
+        /// A steady rest stands before the place.
+        Rest = "rest",
+        /// No blade of the catalog reaches the axis.
+        NoBlade = "no-blade",
+        /// Too little of the blank is left for the jaws.
+        Short = "short",
+        /// The hole through the part is too narrow.
+        Hole = "hole",
     }
 }
 

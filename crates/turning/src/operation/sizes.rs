@@ -97,10 +97,7 @@ impl Sizes {
         let mut sizes = Self { length: workpiece.length(), slopes, ..Self::default() };
         let mut findings = Vec::new();
         for profile in std::iter::once(&workpiece.outer).chain(&workpiece.inner) {
-            let blank = match profile.side {
-                Side::Outer => Some(&workpiece.blank.outer),
-                Side::Inner => workpiece.blank.inner.as_ref(),
-            };
+            let blank = workpiece.blank.contour(profile.side);
             let mut cylinders = Vec::new();
             for (index, surface) in profile.surfaces.iter().enumerate() {
                 let later = elsewhere.iter().any(|one| one.surface == surface.name);
@@ -246,11 +243,10 @@ fn size(surface: &Surface) -> Option<Micrometres> {
 /// The cylinder of a surface, or the floor of a rectangular groove.
 fn floor(surface: &Surface) -> Option<Piece> {
     match (surface.kind, surface.pieces.as_slice()) {
-        (SurfaceKind::Cylinder | SurfaceKind::Thread, [piece]) if piece.is_cylinder() => Some(*piece),
         (SurfaceKind::RectangularGroove, [before, floor, behind]) => {
             (before.is_face() && floor.is_cylinder() && behind.is_face()).then_some(*floor)
         }
-        _ => None,
+        _ => surface.cylinder(),
     }
 }
 

@@ -233,8 +233,8 @@ pub(crate) fn taps<'k>(
 /// a neighbour.
 fn drilled(inner: &Profile, index: usize, radius: Half) -> Option<Profile> {
     let mut surfaces = inner.surfaces.clone();
-    let drawn = cylinder(surfaces.get(index)?)?;
-    let same = |surface: &Surface| cylinder(surface) == Some(drawn);
+    let drawn = surfaces.get(index)?.cylinder()?.from.radius;
+    let same = |surface: &Surface| surface.cylinder().is_some_and(|piece| piece.from.radius == drawn);
     let before = surfaces.get(..index)?.iter().rev().take_while(|surface| same(surface)).count();
     let after = surfaces.get(index..)?.iter().take_while(|surface| same(surface)).count();
     let (first, end) = (index - before, index + after);
@@ -269,13 +269,6 @@ fn drilled(inner: &Profile, index: usize, radius: Half) -> Option<Profile> {
         piece.to.z = z;
     }
     Some(Profile { side: inner.side, surfaces })
-}
-
-/// The radius of a cylinder.
-fn cylinder(surface: &Surface) -> Option<Half> {
-    let [piece] = surface.pieces.as_slice() else { return None };
-    let plain = matches!(surface.kind, SurfaceKind::Cylinder | SurfaceKind::Thread);
-    (plain && piece.is_cylinder()).then_some(piece.from.radius)
 }
 
 /// Faces of the outside that end at a bore end where it does now.

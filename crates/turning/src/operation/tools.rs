@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::knowledge::vocabulary::Surface;
 use crate::material::Material;
 use crate::note::{Because, Note};
 use crate::tables::turning::tools::{Preference, TurningToolOrderFor};
@@ -15,6 +16,7 @@ use crate::turning::elements::{self, Angles};
 use crate::turning::jobs;
 use crate::turning::length::Half;
 use crate::turning::nose::Nose;
+use crate::turning::schemes::rates;
 use crate::turning::tooling::{Hand, Lathe, Place, Shank, ToolKind, TurningTool};
 use crate::turning::workpiece::Workpiece;
 use crate::turning::zones::{ToolAngles, Zone, fit};
@@ -22,7 +24,7 @@ use crate::units::{Degrees, Micrometres};
 
 use super::held::Held;
 use super::{Barred, Sizes, Stage};
-use crate::turning::cutting::{GripLimit, bar_clearance, largest_overhang};
+use crate::turning::cutting::{Direction, GripLimit, TurningCut, bar_clearance, largest_overhang};
 
 /// The context of planning an operation.
 #[derive(Clone, Debug)]
@@ -79,6 +81,51 @@ impl<'a, 'k> Bench<'a, 'k> {
             barred: Vec::new(),
             knowledge,
         }
+    }
+
+    /// The approach δ and the retract: of the file, otherwise of the table `turning-motion`.
+    ///
+    /// # Errors
+    /// The knowledge base lacks the table, or a row of it.
+    pub fn approach_and_retract(&self) -> Result<[Half; 2], KnowledgeError> {
+        let rates = match self.workpiece.rates {
+            Some(given) => given.main,
+            None => rates::of_table(self.knowledge)?.0,
+        };
+        Ok([rates.approach, rates.retract].map(Half::of))
+    }
+
+    /// The tools of a kind that work at a place, with a known nose radius and a shank that the lathe clamps.
+    ///
+    /// # Errors
+    /// A table of tools is broken.
+    pub fn tools(&self, kind: ToolKind, works: Place) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
+        let mut tools = TurningTool::all(self.knowledge)?;
+        tools.retain(|tool| (tool.kind, tool.works) == (kind, works) && tool.nose_radius.is_some());
+        tools.retain(|tool| self.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
+        Ok(tools)
+    }
+
+    /// A cut into turned metal; none without a lathe.
+    pub fn cut<'b>(
+        &'b self,
+        tool: &'b TurningTool<'k>,
+        diameter: Micrometres,
+        direction: Direction,
+    ) -> Option<TurningCut<'b, 'k>> {
+        Some(TurningCut {
+            knowledge: self.knowledge,
+            lathe: self.lathe?,
+            tool,
+            material: &self.material,
+            diameter,
+            direction,
+            surface: Surface::None,
+            bore_depth: None,
+            part: None,
+            grip: None,
+            spindle_most: None,
+        })
     }
 
     /// The narrowest diameter of the bore that the blank has; zero in solid metal.
@@ -153,38 +200,16 @@ fn put_in_order(tools: &mut [TurningTool<'_>], kind: ToolKind, knowledge: &Knowl
 /// # Errors
 /// A table of tools is broken.
 pub fn candidates<'k>(side: Side, stage: Stage, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
-    let wanted = match side {
+    let (kind, works) = match side {
         Side::Outer => (ToolKind::Turning, Place::Outer),
         Side::Inner => (ToolKind::Boring, Place::Inner),
     };
-    let mut tools = TurningTool::all(bench.knowledge)?;
-    tools.retain(|tool| (tool.kind, tool.works) == wanted && tool.hand != Hand::L && tool.nose_radius.is_some());
-    tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
+    let mut tools = bench.tools(kind, works)?;
+    tools.retain(|tool| tool.hand != Hand::L);
     let is_barred =
         |one: &Barred, tool: &TurningTool<'_>| (one.side, one.stage) == (side, stage) && one.tool == tool.designation;
     tools.retain(|tool| !bench.barred.iter().any(|one| is_barred(one, tool)));
-    put_in_order(&mut tools, wanted.0, bench.knowledge)?;
-    Ok(tools)
-}
-
-/// The tools for additional elements: those that rough the side, then grooving tools, each in the order of the rule
-/// `turning-tool-order`.
-///
-/// # Errors
-/// A table of tools is broken.
-pub fn for_valleys<'k>(side: Side, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
-    let works = match side {
-        Side::Outer => Place::Outer,
-        Side::Inner => Place::Inner,
-    };
-    let mut plunging = TurningTool::all(bench.knowledge)?;
-    plunging.retain(|tool| {
-        tool.kind == ToolKind::Grooving && tool.works == works && tool.hand != Hand::L && tool.width.is_some()
-    });
-    plunging.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
-    put_in_order(&mut plunging, ToolKind::Grooving, bench.knowledge)?;
-    let mut tools = candidates(side, Stage::Roughing, bench)?;
-    tools.extend(plunging);
+    put_in_order(&mut tools, kind, bench.knowledge)?;
     Ok(tools)
 }
 

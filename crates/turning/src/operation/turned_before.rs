@@ -39,10 +39,7 @@ pub(super) fn standing(blank: Contour, turned: &Contour) -> Contour {
 mod tests {
     use super::*;
     use crate::turning::point::Point;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     fn outer(points: &[Point]) -> Contour {
         Contour::through(Side::Outer, points)

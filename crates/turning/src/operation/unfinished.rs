@@ -11,7 +11,6 @@ use crate::turning::toolpath::Toolpath;
 use crate::units::{Degrees, round_to};
 
 use super::finishing::needs;
-use super::jobs::stretch;
 use super::work::ZoneWork;
 use super::{Operation, SetUpWork, SideWork};
 
@@ -90,7 +89,7 @@ fn hollows_left(set_up: &SetUpWork) -> Vec<Finding> {
     let undone = undone(set_up);
     let mut findings = Vec::new();
     for side in &set_up.sides {
-        let Some(stretch) = stretch(&set_up.set_up, side.side) else { continue };
+        let Some(stretch) = set_up.set_up.side(side.side) else { continue };
         let tried = |valley: &&Valley| side.hollows.iter().any(|hollow| hollow.surfaces == valley.surfaces);
         for valley in stretch.main.valleys.iter().filter(|valley| !tried(valley)) {
             let surfaces = valley.surfaces.iter().filter_map(|index| stretch.profile.surfaces.get(*index));
@@ -150,11 +149,7 @@ fn undone_on<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> impl Iterator<Ite
 
 /// The surfaces of a side, each with its finishing allowance.
 fn surfaces<'a>(set_up: &'a SetUpWork, side: &'a SideWork) -> impl Iterator<Item = (&'a Surface, Option<Half>)> {
-    let stretch = match side.side {
-        Side::Outer => set_up.set_up.outer.as_ref(),
-        Side::Inner => set_up.set_up.inner.as_ref(),
-    };
-    let known = stretch.into_iter().flat_map(|stretch| &stretch.profile.surfaces);
+    let known = set_up.set_up.side(side.side).into_iter().flat_map(|stretch| &stretch.profile.surfaces);
     let allowances = side.layers.allowances.iter().map(|one| one.allowance_mm).chain(std::iter::repeat(None));
     known.zip(allowances)
 }

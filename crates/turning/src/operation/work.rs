@@ -253,9 +253,7 @@ impl ZoneContours {
                 contour.clone()
             })
         };
-        let walls = self.rough.pieces.iter().filter(|piece| !piece.is_face());
-        let narrowest = walls.flat_map(|piece| [piece.from.radius, piece.to.radius]).min();
-        let nearest = narrowest.and_then(|bore| tools::nearest_to_axis(tool, bore));
+        let nearest = self.rough.narrowest().and_then(|bore| tools::nearest_to_axis(tool, bore));
         Self { rough: up_to(seen(&self.rough), nearest), blank: seen(&self.blank) }
     }
 }
@@ -309,7 +307,7 @@ fn zone_work(
     // Checked before the levels are made, because they might not fit into memory.
     let passes = stock.parts(limit);
     if passes > MOST_PASSES {
-        let note = Unsuited::TooManyPasses { passes }.note().with("zone", zone.number);
+        let note = Unsuited::TooManyPasses { passes, most: MOST_PASSES }.note().with("zone", zone.number);
         findings.push(Finding::of_part(Severity::Error, note));
         return Ok(work);
     }

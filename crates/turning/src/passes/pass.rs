@@ -8,25 +8,19 @@ use crate::turning::point::Point;
 use crate::turning::shaft::Rates;
 use crate::units::Micrometres;
 
-/// The direction of a pass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum PassDirection {
-    /// Along the axis, towards the chuck.
-    Longitudinal,
-    /// Across it, towards the axis.
-    Transverse,
+technolog_knowledge::vocabulary! {
+    /// The direction of a pass.
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum PassDirection {
+        /// Along the axis, towards the chuck.
+        Longitudinal = "longitudinal",
+        /// Across it, towards the axis.
+        Transverse = "transverse",
+    }
 }
 
 impl PassDirection {
-    /// Its name for programs.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Longitudinal => "longitudinal",
-            Self::Transverse => "transverse",
-        }
-    }
-
     /// The other direction.
     #[must_use]
     pub const fn other(self) -> Self {

@@ -11,13 +11,17 @@ use crate::turning::point::Point;
 
 /// The cost of passes in that order, with the return to the home point.
 pub fn total(passes: &[Pass], objective: Objective, bar: Half) -> Cost {
-    let mut before: Option<PassEnd> = None;
+    after(None, passes, objective, bar).plus(objective.home(passes.last().map(Pass::end), bar))
+}
+
+/// The cost of passes in that order, behind one that has ended there.
+fn after(mut before: Option<PassEnd>, passes: &[Pass], objective: Objective, bar: Half) -> Cost {
     let mut sum = Cost::ZERO;
     for pass in passes {
         sum = sum.plus(objective.pass(pass.start(), pass.length(), before, bar));
         before = Some(pass.end());
     }
-    sum.plus(objective.home(before, bar))
+    sum
 }
 
 /// Every pass in one direction.
@@ -44,21 +48,12 @@ pub fn one_direction(grid: &Grid, kind: PassDirection) -> Vec<Pass> {
 /// last pass ended. So the best sequence that ends a step in either direction is kept, step by step.
 pub fn per_step(grid: &Grid, objective: Objective) -> Vec<Pass> {
     let mut best: Vec<(Cost, Vec<Pass>)> = vec![(Cost::ZERO, Vec::new())];
-    let cost = |passes: &[Pass], before: Option<PassEnd>| {
-        let mut sum = Cost::ZERO;
-        let mut before = before;
-        for pass in passes {
-            sum = sum.plus(objective.pass(pass.start(), pass.length(), before, grid.bar));
-            before = Some(pass.end());
-        }
-        sum
-    };
     for (index, cylinder) in grid.cylinders.iter().enumerate() {
         let mut next: Vec<(Cost, Vec<Pass>)> = Vec::new();
         for kind in [PassDirection::Longitudinal, PassDirection::Transverse] {
             let own = of_step(grid, index, cylinder, kind);
-            let ends =
-                best.iter().map(|(spent, passes)| (spent.plus(cost(&own, passes.last().map(Pass::end))), passes));
+            let cost = |before: &[Pass]| after(before.last().map(Pass::end), &own, objective, grid.bar);
+            let ends = best.iter().map(|(spent, passes)| (spent.plus(cost(passes)), passes));
             if let Some((spent, passes)) = ends.min_by_key(|(spent, _)| *spent) {
                 next.push((spent, passes.iter().cloned().chain(own).collect()));
             }

@@ -141,14 +141,14 @@ fn check_roughing(roughing: Roughing) -> Result<(), NotWritten> {
     let Roughing { depth, clearance, retract, allowance, .. } = roughing;
     for (name, length) in [("depth", depth), ("clearance", clearance), ("retract", retract)] {
         if length <= Half::ZERO {
-            return Err(NotWritten::NotAboveZero { name });
+            return Err(NotWritten::NotAboveZero { key: name });
         }
     }
     if retract > clearance {
         return Err(NotWritten::RetractBeyondClearance { retract, clearance });
     }
     if allowance.radius < Half::ZERO || allowance.z < Half::ZERO {
-        return Err(NotWritten::NotAboveZero { name: "allowance" });
+        return Err(NotWritten::NotAboveZero { key: "allowance" });
     }
     Ok(())
 }
@@ -167,7 +167,8 @@ fn check_monotone(rough: &Contour, direction: Direction) -> Result<(), NotWritte
         from <= to && piece.extremes().into_iter().all(|point| reach.contains(&along(point)))
     };
     match rough.pieces.iter().position(|piece| !forward(piece)) {
-        Some(at) => Err(NotWritten::NotMonotone { piece: at + 1, direction }),
+        Some(at) if direction == Direction::Longitudinal => Err(NotWritten::TurnsBack { piece: at + 1 }),
+        Some(at) => Err(NotWritten::Falls { piece: at + 1 }),
         None => Ok(()),
     }
 }
@@ -179,7 +180,7 @@ fn check_blank(rough: &Contour, corner: Point) -> Result<(), NotWritten> {
         Side::Inner => Some(least).filter(|least| *least < corner.radius),
     };
     if let Some(contour) = beyond {
-        return Err(NotWritten::BeyondBlank { blank: corner.radius, contour });
+        return Err(NotWritten::BeyondBlank { blank: corner.radius, diameter: contour });
     }
     if rough.start().is_some_and(|start| start.z < corner.z) {
         return Err(NotWritten::BeforeFace);

@@ -60,28 +60,21 @@ pub struct Blank {
     pub length: Micrometres,
 }
 
-/// Kinds of blanks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum BlankKind {
-    /// Bar: a full cylinder.
-    Bar,
-    /// A forging, near the shape of the part.
-    Forging,
-    /// A casting, near the shape of the part.
-    Casting,
+technolog_knowledge::vocabulary! {
+    /// Kinds of blanks.
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum BlankKind {
+        /// Bar: a full cylinder.
+        Bar = "bar",
+        /// A forging, near the shape of the part.
+        Forging = "forging",
+        /// A casting, near the shape of the part.
+        Casting = "casting",
+    }
 }
 
 impl BlankKind {
-    /// Its name in the file.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Bar => "bar",
-            Self::Forging => "forging",
-            Self::Casting => "casting",
-        }
-    }
-
     /// Its shape.
     pub const fn shape(self) -> BlankShape {
         match self {

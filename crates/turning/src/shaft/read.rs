@@ -3,7 +3,7 @@
 use crate::knowledge::Knowledge;
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node};
-use crate::turning::reading::{Mistake, Placed, Reader, mistake};
+use crate::turning::reading::{Mistake, Placed, Reader, given, mistake};
 use crate::units::{Micrometres, MillimetresPerMinute};
 
 use super::check;
@@ -48,14 +48,8 @@ impl Reader<'_> {
         let name = fields.need(ShaftFile::shaft, &mut self.problems).and_then(|node| self.name(node));
         let material = fields.need(ShaftFile::material, &mut self.problems).and_then(|node| self.stated_material(node));
         let blank_node = fields.need(ShaftFile::blank, &mut self.problems);
-        let machine = match fields.take(ShaftFile::machine) {
-            Some(node) => self.lathe(node).map(Some),
-            None => Some(None),
-        };
-        let holding = match fields.take(ShaftFile::holding) {
-            Some(node) => self.choice(node, Holding::NAMES),
-            None => Some(Holding::default()),
-        };
+        let machine = given(fields.take(ShaftFile::machine), |node| self.lathe(node));
+        let holding = given(fields.take(ShaftFile::holding), |node| self.choice(node, Holding::NAMES));
         let steps_node = fields.need(ShaftFile::steps, &mut self.problems);
         let roughing_node = fields.need(ShaftFile::roughing, &mut self.problems);
         let rates_node = fields.take(ShaftFile::rates);
@@ -65,10 +59,7 @@ impl Reader<'_> {
             blank_node.map(|node| self.stepped_blank(node)).unwrap_or_default();
         let steps = steps_node.map(|node| self.steps(node)).unwrap_or_default();
         let roughing = roughing_node.and_then(|node| self.depths(node));
-        let rates = match rates_node {
-            Some(node) => self.rates(node).map(Some),
-            None => Some(None),
-        };
+        let rates = given(rates_node, |node| self.rates(node));
         check::steps(&steps, diameter.as_ref(), length.as_ref(), self);
         if let Some(shape) = &shape {
             shape::check(shape, kind, &steps, diameter.as_ref(), length.as_ref(), self);
@@ -82,7 +73,7 @@ impl Reader<'_> {
             machine: machine?,
             blank: Blank { kind: kind?, diameter: diameter?.0, length: length?.0 },
             blank_steps: shape.map_or(Some(Vec::new()), |shape| shape.steps.into_iter().map(whole).collect())?,
-            holding: holding?,
+            holding: holding?.unwrap_or_default(),
             steps: steps.into_iter().map(whole).collect::<Option<_>>()?,
             roughing: roughing?,
             rates: rates?,
@@ -95,11 +86,10 @@ impl Reader<'_> {
 
     fn stepped_blank(&mut self, node: &Node) -> PlacedBlank {
         let Some(mut fields) = self.problems.map(node) else { return PlacedBlank::default() };
-        let kinds = [BlankKind::Bar, BlankKind::Forging, BlankKind::Casting].map(|kind| (kind.name(), kind));
         let kind = fields.need(file::Blank::kind, &mut self.problems).and_then(|node| match node.text() {
             // A tube has a bore, which the short form cannot describe.
             Some("tube") => self.fault(mistake!("tube-with-steps"), &node.place),
-            _ => self.choice(node, &kinds),
+            _ => self.choice(node, BlankKind::NAMES),
         });
         let diameter = self.need(&mut fields, file::Blank::diameter);
         let length = self.need(&mut fields, file::Blank::length);

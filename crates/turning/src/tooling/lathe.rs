@@ -72,6 +72,8 @@ pub struct Lathe<'k> {
     pub over_carriage: Micrometres,
     /// Distance between the centres.
     pub between_centres: Micrometres,
+    /// Diameter of the largest bar that goes through the spindle.
+    pub bar_hole: Option<Micrometres>,
     /// Least and largest feed along Z.
     pub feed_z: (MillimetresPerMinute, MillimetresPerMinute),
     /// Least and largest feed along X.
@@ -154,6 +156,7 @@ impl<'k> Lathe<'k> {
             tool_change: any(Q::ToolChangeTime).map(Seconds),
             over_carriage: length(Q::DiameterOverCarriage)?,
             between_centres: length(Q::LengthBetweenCentres)?,
+            bar_hole: any(Q::BarHole).map(Micrometres::from_mm_rounded),
             feed_z: (rate(Q::FeedMinZ)?, rate(Q::FeedMaxZ)?),
             feed_x: (rate(Q::FeedMinX)?, rate(Q::FeedMaxX)?),
             rapid_z: rate(Q::RapidZ)?,

@@ -1,9 +1,9 @@
 //! Conditions for a zone and a tool before a toolpath is made.
 
 use crate::error::{Refusal, Tried};
-use crate::note::Note;
 use crate::turning::contour::{Contour, Curve, Piece};
 use crate::turning::length::Half;
+use crate::turning::reasons::reasons;
 use crate::units::round_to;
 
 use super::in_process_stock::InProcessStock;
@@ -26,45 +26,27 @@ fn rounding_degrees(piece: &Piece) -> f64 {
     ROUNDING_DEGREES.max((END_MM / chord.max(END_MM) + bent).to_degrees())
 }
 
-/// Why a scheme gives no toolpath over a zone.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(missing_docs)] // the figures have the names of those of the sentences
-pub enum Unsuited {
-    /// A contour is not connected, or runs back.
-    NotMonotone { contour: &'static str },
-    /// The contours are of different sides or ranges of Z.
-    ContoursDiffer,
-    /// A depth or distance that is not above zero.
-    NotPositive,
-    /// The rough contour is above its blank there; Z from the chuck.
-    RoughAboveBlank { z: Half },
-    /// A toolpath against a stop over a contour that is not stepped.
-    StopNeedsSteps,
-    /// A flank is steeper than the tool's angle, degrees.
-    TooSteep { z: Half, angle: f64, limit: f64 },
-    /// There is no offset curve at that distance.
-    NoEquidistant { distance: Half },
-    /// Too many passes to be turned.
-    TooManyPasses { passes: i64 },
-}
-
-impl Unsuited {
-    /// The sentence.
-    pub fn note(&self) -> Note {
-        match self {
-            Self::NotMonotone { contour } => Note::new("zone-contour-not-monotone").with("contour", contour),
-            Self::ContoursDiffer => Note::new("zone-contours-differ"),
-            Self::NotPositive => Note::new("zone-settings-not-positive"),
-            Self::RoughAboveBlank { z } => Note::new("rough-above-blank").with("z", z),
-            Self::StopNeedsSteps => Note::new("stop-needs-steps"),
-            Self::TooSteep { z, angle, limit } => {
-                Note::new("flank-too-steep").with("z", z).with("angle", round_to(*angle, 2)).with("limit", limit)
-            }
-            Self::NoEquidistant { distance } => Note::new("no-equidistant").with("distance", distance),
-            Self::TooManyPasses { passes } => {
-                Note::new("too-many-passes").with("passes", passes).with("most", MOST_PASSES)
-            }
-        }
+reasons! {
+    /// Why a scheme gives no toolpath over a zone.
+    #[derive(Clone, Debug, PartialEq)]
+    #[allow(missing_docs)] // the figures have the names of those of the sentences
+    pub enum Unsuited {
+        /// A contour is not connected, or runs back.
+        NotMonotone { contour: &'static str } = note!("zone-contour-not-monotone"),
+        /// The contours are of different sides or ranges of Z.
+        ContoursDiffer = note!("zone-contours-differ"),
+        /// A depth or distance that is not above zero.
+        NotPositive = note!("zone-settings-not-positive"),
+        /// The rough contour is above its blank there; Z from the chuck.
+        RoughAboveBlank { z: Half } = note!("rough-above-blank"),
+        /// A toolpath against a stop over a contour that is not stepped.
+        StopNeedsSteps = note!("stop-needs-steps"),
+        /// A flank is steeper than the tool's angle, degrees.
+        TooSteep { z: Half, angle: f64 as round_to(*angle, 2), limit: f64 } = note!("flank-too-steep"),
+        /// There is no offset curve at that distance.
+        NoEquidistant { distance: Half } = note!("no-equidistant"),
+        /// More passes to be turned than [`MOST_PASSES`].
+        TooManyPasses { passes: i64, most: i64 } = note!("too-many-passes"),
     }
 }
 
@@ -109,7 +91,7 @@ pub fn scheme(zone: &PreparedZone, settings: &Settings, scheme: Scheme) -> Tried
     let stock_high = || Some(zone.top - ground.lowest(ground.from(), ground.to())?);
     let high = if across { Some(stock.to - stock.from) } else { stock_high() };
     if let Some(passes) = high.map(|high| high.parts(settings.depth)).filter(|passes| *passes > MOST_PASSES) {
-        return not(Unsuited::TooManyPasses { passes });
+        return not(Unsuited::TooManyPasses { passes, most: MOST_PASSES });
     }
     if scheme == Scheme::LoopAgainstStop && !is_roller(&stock.rough, ground) {
         return not(Unsuited::StopNeedsSteps);

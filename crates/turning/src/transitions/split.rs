@@ -200,11 +200,7 @@ fn stocks(ground: &MonotoneContour, section: &BlankSection, limit: Half) -> Vec<
 mod tests {
     use super::*;
     use crate::turning::contour::{Piece, Side, Turn};
-    use crate::turning::point::Point;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     /// By hand: a bar of radius 40 over a cone from 20 to 30 and a fillet from 30 to 35, t_lim 4. The cone's deepest
     /// point is 20: t = 20, n = 5, mean 4; the fillet's 30: t = 10, n = 3, mean 3.3335 (rounded up); t_p = 4, horizontals

@@ -49,6 +49,14 @@ impl Blank {
         self.outer.end().map_or(Half::ZERO, |end| end.z)
     }
 
+    /// Its outside, or its bore if it has one.
+    pub const fn contour(&self, side: Side) -> Option<&Contour> {
+        match side {
+            Side::Outer => Some(&self.outer),
+            Side::Inner => self.inner.as_ref(),
+        }
+    }
+
     /// Its whole length.
     pub fn length(&self) -> Half {
         self.end() + self.face()

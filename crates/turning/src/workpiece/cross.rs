@@ -147,10 +147,7 @@ pub(super) fn crossing(pieces: &[Piece]) -> Option<(usize, usize)> {
 mod tests {
     use super::*;
     use crate::turning::contour::Turn;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     #[test]
     fn chords_lie_on_the_arc_to_half_a_micrometre() {

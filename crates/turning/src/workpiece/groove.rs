@@ -158,10 +158,7 @@ fn half_turn(before: Vector, after: Vector) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn at(radius: f64, z: f64) -> Point {
-        Point { radius: Half::from(radius), z: Half::from(z) }
-    }
+    use crate::turning::point::at;
 
     fn sizes(kind: GrooveKind, width: f64, depth: f64) -> Sizes {
         Sizes {

@@ -33,7 +33,7 @@ use crate::material::MaterialState;
 use crate::note::{Because, Finding};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 
-use super::contour::Profile;
+use super::contour::{Profile, Side};
 use super::length::Half;
 use super::shaft::{self, Holding, Shaft};
 pub use crate::tables::turning::part::HeatTreatment;
@@ -112,6 +112,14 @@ impl Workpiece {
     /// Its length: Z of the end of its outside.
     pub fn length(&self) -> Half {
         self.outer.contour().end().map_or(Half::ZERO, |end| end.z)
+    }
+
+    /// Its outside, or its bore if it has one.
+    pub const fn profile(&self, side: Side) -> Option<&Profile> {
+        match side {
+            Side::Outer => Some(&self.outer),
+            Side::Inner => self.inner.as_ref(),
+        }
     }
 
     /// Whether its file gives no allowance at all: the short form, whose diameters are those after roughing.
@@ -247,11 +255,6 @@ impl Microns {
     /// From micrometres.
     pub const fn new(micrometres: Decimal) -> Self {
         Self(micrometres)
-    }
-
-    /// Micrometres, for formulas.
-    pub fn to_um(self) -> f64 {
-        self.0.to_f64()
     }
 
     /// Millimetres, for formulas.

@@ -6,7 +6,7 @@ use crate::knowledge::form::{Form, similar_key};
 use crate::knowledge::yaml::{Node, NodeKind, missing_key, parse};
 use crate::knowledge::{Diagnostic, Knowledge};
 use crate::turning::contour::Side;
-use crate::turning::reading::{Mistake, Placed, Reader, mistake};
+use crate::turning::reading::{Mistake, Placed, Reader, given, mistake};
 use crate::turning::shaft::Holding;
 use crate::turning::shaft::file::ShaftFile;
 
@@ -15,7 +15,7 @@ use super::file::WorkpieceFile;
 use super::items::Owner;
 use super::lengths;
 use super::walk::{Walked, walk};
-use super::{Allowances, Drawings, HeatTreatment, Roughing, Turned, Workpiece};
+use super::{Drawings, HeatTreatment, Turned, Workpiece};
 
 /// Reads the file of a turned part: with `steps` it is a stepped shaft, with `outer` a contour.
 ///
@@ -103,33 +103,16 @@ impl Reader<'_> {
         let material =
             fields.need(WorkpieceFile::material, &mut self.problems).and_then(|node| self.stated_material(node));
         let blank_node = fields.need(WorkpieceFile::blank, &mut self.problems);
-        let machine = match fields.take(WorkpieceFile::machine) {
-            Some(node) => self.lathe(node).map(Some),
-            None => Some(None),
-        };
-        let holding = match fields.take(WorkpieceFile::holding) {
-            Some(node) => self.choice(node, Holding::NAMES),
-            None => Some(Holding::default()),
-        };
+        let machine = given(fields.take(WorkpieceFile::machine), |node| self.lathe(node));
+        let holding = given(fields.take(WorkpieceFile::holding), |node| self.choice(node, Holding::NAMES));
         let rest_node = fields.take(WorkpieceFile::steady_rest);
-        let heat_treatment = match fields.take(WorkpieceFile::heat_treatment) {
-            Some(node) => self.choice(node, HeatTreatment::NAMES),
-            None => Some(HeatTreatment::default()),
-        };
+        let heat_treatment =
+            given(fields.take(WorkpieceFile::heat_treatment), |node| self.choice(node, HeatTreatment::NAMES));
         let (outer_node, inner_node) =
             (fields.need(WorkpieceFile::outer, &mut self.problems), fields.take(WorkpieceFile::inner));
-        let roughing = match fields.take(WorkpieceFile::roughing) {
-            Some(node) => self.roughing(node),
-            None => Some(Roughing::default()),
-        };
-        let allowances = match fields.take(WorkpieceFile::allowances) {
-            Some(node) => self.allowances(node),
-            None => Some(Allowances::default()),
-        };
-        let rates = match fields.take(WorkpieceFile::rates) {
-            Some(node) => self.all_rates(node).map(Some),
-            None => Some(None),
-        };
+        let roughing = given(fields.take(WorkpieceFile::roughing), |node| self.roughing(node));
+        let allowances = given(fields.take(WorkpieceFile::allowances), |node| self.allowances(node));
+        let rates = given(fields.take(WorkpieceFile::rates), |node| self.all_rates(node));
         if let Some(steps) = fields.take_foreign(ShaftFile::steps) {
             self.fault::<()>(mistake!("both-steps-and-outer"), &steps.place);
         }
@@ -149,14 +132,8 @@ impl Reader<'_> {
         if let Some(blank) = &blank {
             check::within_blank(&outer, inner.as_ref(), blank, self);
         }
-        let inner_profile = match &inner {
-            Some(inner) => Some(inner.profile()?),
-            None => None,
-        };
-        let steady_rest = match rest_node {
-            Some(node) => Some(self.steady_rest(node, blank.as_ref()?)?),
-            None => None,
-        };
+        let inner_profile = given(inner.as_ref(), Walked::profile)?;
+        let steady_rest = given(rest_node, |node| self.steady_rest(node, blank.as_ref()?))?;
         let walked = || std::iter::once(&outer).chain(&inner);
         let (outer_profile, inner_profile) = lengths::in_the_middle(outer.profile()?, inner_profile);
         let (material, material_state) = material?;
@@ -166,14 +143,14 @@ impl Reader<'_> {
             material_state,
             blank: blank?,
             machine: machine?,
-            holding: holding?,
+            holding: holding?.unwrap_or_default(),
             steady_rest,
-            heat_treatment: heat_treatment?,
+            heat_treatment: heat_treatment?.unwrap_or_default(),
             outer: outer_profile,
             inner: inner_profile,
             threads: walked().flat_map(|walked| walked.threads.clone()).collect(),
-            roughing: roughing?,
-            allowances: allowances?,
+            roughing: roughing?.unwrap_or_default(),
+            allowances: allowances?.unwrap_or_default(),
             rates: rates?,
             findings: walked().flat_map(|walked| walked.findings.clone()).collect(),
         })

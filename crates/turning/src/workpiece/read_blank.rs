@@ -5,7 +5,7 @@ use crate::knowledge::yaml::{Fields, Node};
 use crate::turning::contour::{Contour, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::reading::{Reader, mistake};
+use crate::turning::reading::{Reader, given, mistake};
 use crate::turning::shaft::BlankKind;
 use crate::turning::shaft::read::PlacedStep;
 use crate::turning::shaft::shape::{self, BlankShape};
@@ -21,9 +21,9 @@ impl Reader<'_> {
         let mut fields = self.problems.map(node)?;
         let kind =
             fields.need(BlankFile::kind, &mut self.problems).and_then(|node| self.choice(node, StockKind::NAMES));
-        let length_tolerance = fields
-            .take(BlankFile::length_tolerance)
-            .map(|node| self.not_below_zero(node, BlankFile::length_tolerance.name()));
+        let length_tolerance = given(fields.take(BlankFile::length_tolerance), |node| {
+            self.not_below_zero(node, BlankFile::length_tolerance.name())
+        });
         let shaped = fields.take(BlankFile::outer);
         let blank = match (kind, shaped) {
             (None, _) => {
@@ -52,11 +52,7 @@ impl Reader<'_> {
             }
         };
         fields.finish(&mut self.problems);
-        let length_tolerance = match length_tolerance {
-            Some(read) => Some(read?),
-            None => None,
-        };
-        Some(Blank { length_tolerance, ..blank? })
+        Some(Blank { length_tolerance: length_tolerance?, ..blank? })
     }
 
     /// Refuses keys that do not belong to this blank.
@@ -107,10 +103,7 @@ impl Reader<'_> {
         {
             return self.fault(mistake!("face-beyond-length", face = face, length = length), place);
         }
-        let bore = match bore {
-            Some(bore) => Some(Half::radius_of(bore?.0)),
-            None => None,
-        };
+        let bore = given(bore, |bore| Some(Half::radius_of(bore?.0)))?;
         let (diameter, length, face) = (diameter?.0, length?.0, Half::of(face?));
         let blank = Blank::cylinder(kind, Half::radius_of(diameter), bore, face, Half::of(length));
         match steps {
@@ -141,10 +134,7 @@ impl Reader<'_> {
             check::walls(&outside, bore, self);
         }
         let contour = |walked: &Walked| walked.profile().map(|profile| profile.contour());
-        let inner = match &bore {
-            Some(bore) => Some(contour(bore)?),
-            None => None,
-        };
+        let inner = given(bore.as_ref(), contour)?;
         Some(Blank { kind, outer: contour(&outside)?, inner, length_tolerance: None })
     }
 

@@ -4,7 +4,7 @@ use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::Node;
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
-use crate::turning::reading::{Reader, mistake};
+use crate::turning::reading::{Reader, given, mistake};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 
 use super::file::{AllowancesFile, ContourRates, ContourRoughing, ErrorsFile, SteadyRestFile};
@@ -44,14 +44,9 @@ impl Reader<'_> {
     pub(super) fn roughing(&mut self, node: &Node) -> Option<Roughing> {
         let mut fields = self.problems.map(node)?;
         let depth = fields.take(ContourRoughing::limiting_depth);
-        let limiting_depth = match depth {
-            Some(_) => Some(self.length(depth, ContourRoughing::limiting_depth.name())?.0),
-            None => None,
-        };
-        let scheme = match fields.take(ContourRoughing::scheme) {
-            Some(node) => Some(self.choice(node, Scheme::NAMES)?),
-            None => None,
-        };
+        let limiting_depth = given(depth, |depth| self.length(Some(depth), ContourRoughing::limiting_depth.name()))?
+            .map(|depth| depth.0);
+        let scheme = given(fields.take(ContourRoughing::scheme), |node| self.choice(node, Scheme::NAMES))?;
         fields.finish(&mut self.problems);
         Some(Roughing { limiting_depth, scheme })
     }

@@ -15,7 +15,7 @@ use super::hold::{Hold, hold_blank, hold_part};
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
-use crate::turning::contour::{Contour, Profile, Surface};
+use crate::turning::contour::{Contour, Profile, Side, Surface};
 use crate::turning::cutting::jaw_clearance;
 use crate::turning::elements::{Angles, Class, Main, classify, main_contour, split};
 use crate::turning::length::Half;
@@ -82,6 +82,16 @@ pub struct SetUp {
     pub because: Because,
     /// The reason for this set-up.
     pub notes: Vec<Note>,
+}
+
+impl SetUp {
+    /// Its work on a side.
+    pub const fn side(&self, side: Side) -> Option<&TurnedSide> {
+        match side {
+            Side::Outer => self.outer.as_ref(),
+            Side::Inner => self.inner.as_ref(),
+        }
+    }
 }
 
 /// The surfaces outside, divided between the ends from which they are turned.

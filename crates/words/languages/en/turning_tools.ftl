@@ -32,6 +32,7 @@ insert-edge = at most { $share } of the edge of { $edge } mm may cut: { $depth }
 elastic-modulus = modulus of elasticity { $modulus } MPa
 bar-too-long = { $tool }: the bar would stand out { $overhang } mm, and { $most } mm are allowed
 part-too-slender = the part ({ $support }, { $ratio } diameters long) bends too far at any reasonable depth of cut; it needs: { $ask }
+part-bears-little = the part ({ $support }, { $ratio } diameters long) bears passes of { $depth } mm only; deeper ones ask for: { $ask }
 feed-of-nose = feed { $feed } mm/rev: the nose of { $radius } mm leaves no rougher surface, real roughness being { $factor } times the geometrical one
 roughness-unsaid = the drawing says no roughness; finished as { $roughness }
 cuts-back = { $tool }: its second edge cuts on the way back, φ1 = { $angle }°

@@ -77,14 +77,13 @@ fn blades<'k>(
     valley: &Valley,
     bench: &Bench<'_, 'k>,
 ) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
-    let wanted = match valley.lie {
+    let (kind, works) = match valley.lie {
         Lie::Outside => (ToolKind::Grooving, Place::Outer),
         Lie::Inside => (ToolKind::Grooving, Place::Inner),
         Lie::Face => (ToolKind::FaceGrooving, Place::Face),
     };
-    let mut tools = TurningTool::all(bench.knowledge)?;
-    tools.retain(|tool| (tool.kind, tool.works) == wanted && tool.width.is_some() && tool.nose_radius.is_some());
-    tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
+    let mut tools = bench.tools(kind, works)?;
+    tools.retain(|tool| tool.width.is_some());
     let at_once = |tool: &TurningTool<'_>| {
         let room = edge(tool).and_then(|edge| valley.centres(edge.corner).map(|way| edge.room(&way)));
         room.is_some_and(|room| room < 0.002)
@@ -99,17 +98,15 @@ fn blades<'k>(
 
 /// The turning tools whose edges clear the walls: φ1 behind the tip on the way down, φ on the way up.
 fn noses<'k>(valley: &Valley, bench: &Bench<'_, 'k>) -> Result<Vec<TurningTool<'k>>, KnowledgeError> {
-    let wanted = match valley.lie {
+    let (kind, works) = match valley.lie {
         Lie::Outside => (ToolKind::Turning, Place::Outer),
         _ => (ToolKind::Boring, Place::Inner),
     };
     let (fall, rise) = valley.steepest();
-    let mut tools = TurningTool::all(bench.knowledge)?;
-    tools.retain(|tool| (tool.kind, tool.works, tool.hand) == (wanted.0, wanted.1, Hand::R));
-    tools.retain(|tool| tool.nose_radius.is_some() && tool.insert.is_some());
+    let mut tools = bench.tools(kind, works)?;
+    tools.retain(|tool| tool.hand == Hand::R && tool.insert.is_some());
     // Rounded ends of pieces may be inclined a little more than in the drawing.
     tools.retain(|tool| tool.trail_angle.to_f64() + 0.06 >= fall && tool.lead_angle.to_f64() + 0.06 >= rise);
-    tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
     tools.sort_by_key(|tool| tool.nose_radius);
     Ok(tools)
 }

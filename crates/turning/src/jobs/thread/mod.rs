@@ -148,11 +148,9 @@ fn insert<'k>(
     bench: &Bench<'_, 'k>,
 ) -> Tried<TurningTool<'k>, NoJob> {
     let place = if site.side() == Side::Outer { Place::Outer } else { Place::Inner };
-    let mut tools = TurningTool::all(bench.knowledge)?;
-    tools.retain(|tool| (tool.kind, tool.works) == (ToolKind::Threading, place) && tool.hand == Hand::R);
-    tools.retain(|tool| bench.lathe.is_none_or(|lathe| lathe.refuses_tool(tool).is_none()));
     // The depth for an insert without a nose radius is not known.
-    tools.retain(|tool| tool.nose_radius.is_some());
+    let mut tools = bench.tools(ToolKind::Threading, place)?;
+    tools.retain(|tool| tool.hand == Hand::R);
     let ranges = || tools.iter().filter_map(|tool| tool.pitch);
     let bounds = ranges().map(|(least, _)| least).min().zip(ranges().map(|(_, most)| most).max());
     let Some((least, most)) = bounds else {

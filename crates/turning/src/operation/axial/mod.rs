@@ -20,7 +20,6 @@ use crate::turning::jobs::hole::{self, Hole, HoleEnd, Widening, point_length};
 use crate::turning::jobs::{Job, NoJob, Site};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
-use crate::turning::schemes::rates;
 use crate::turning::zones::TurnedSide;
 use crate::units::{ItGrade, Micrometres, Roughness};
 
@@ -186,14 +185,12 @@ impl Axial {
         for mouth in self.holes.iter().filter_map(|hole| hole.mouth.as_ref()).chain(&self.far_mouth) {
             jobs.extend(made(hole::countersink(&mouth.task(face), bench), findings)?);
         }
-        let (table, _) = rates::of_table(bench.knowledge)?;
-        let own = bench.workpiece.rates.map_or(table, |rates| rates.main);
+        let [approach, off] = bench.approach_and_retract()?;
         for profile in std::iter::once(&self.whole).chain(self.far.iter().map(|(whole, _)| whole)) {
             let threads = profile.surfaces.iter().enumerate();
             for (index, surface) in threads.filter(|(_, surface)| self.threads().any(|name| *name == surface.name)) {
-                let Some((radius, _)) = cylinder(surface) else { continue };
-                let off = Half::of(own.retract);
-                let clear = Point { radius: radius - off, z: face - Half::of(own.approach) };
+                let Some(radius) = surface.cylinder().map(|piece| piece.from.radius) else { continue };
+                let clear = Point { radius: radius - off, z: face - approach };
                 jobs.extend(thread_job(Site { profile, clear, off }, index, face, bench, findings)?);
             }
         }
@@ -207,8 +204,8 @@ impl Axial {
 fn next(surfaces: &[Surface], first: usize, behind: Option<&AxialHole>) -> Option<(usize, AxialEnd)> {
     let before = surfaces.get(..first)?;
     let (index, end) = last_cylinder(before, behind)?;
-    let (radius, _) = cylinder(before.get(index)?)?;
-    let same = |surface: &&Surface| cylinder(surface).is_some_and(|(other, _)| other == radius);
+    let radius = before.get(index)?.cylinder()?.from.radius;
+    let same = |surface: &&Surface| surface.cylinder().is_some_and(|other| other.from.radius == radius);
     Some((index - before.get(..index)?.iter().rev().take_while(same).count(), end))
 }
 
@@ -216,11 +213,11 @@ fn next(surfaces: &[Surface], first: usize, behind: Option<&AxialHole>) -> Optio
 fn last_cylinder(before: &[Surface], behind: Option<&AxialHole>) -> Option<(usize, AxialEnd)> {
     let (last, others) = before.split_last()?;
     let index = others.len();
-    if let Some(cylinder) = cylinder(last) {
+    if let Some(cylinder) = last.cylinder() {
         // Straight to the end of the metal; a wider cylinder that is made to size needs a shoulder.
-        return behind.is_none().then_some((index, AxialEnd::Through(cylinder.1)));
+        return behind.is_none().then_some((index, AxialEnd::Through(cylinder.to.z)));
     }
-    let (wide, z) = cylinder(others.last()?)?;
+    let Point { radius: wide, z } = others.last()?.cylinder()?.to;
     let [piece] = last.pieces.as_slice() else { return None };
     let within = piece.to.radius;
     // Without a hole behind it the narrower one is made from the other end.
@@ -238,13 +235,6 @@ fn last_cylinder(before: &[Surface], behind: Option<&AxialHole>) -> Option<(usiz
 /// 0.024 of the radius shorter.
 const POINT_TOLERANCE: f64 = 0.03;
 
-/// The radius of a plain cylinder, and Z of its end.
-fn cylinder(surface: &Surface) -> Option<(Half, Half)> {
-    let [piece] = surface.pieces.as_slice() else { return None };
-    let plain = matches!(surface.kind, SurfaceKind::Cylinder | SurfaceKind::Thread);
-    (plain && piece.is_cylinder()).then_some((piece.from.radius, piece.to.z))
-}
-
 /// The cylinder as the rule has it made; none if it is bored.
 fn axial(
     surfaces: &[Surface],
@@ -258,7 +248,7 @@ fn axial(
     let taken = surfaces.get(index..first).unwrap_or_default();
     // What a thread asks for is of its flanks; the hole under it is drilled.
     let is_thread = |surface: &&Surface| surface.kind == SurfaceKind::Thread;
-    let plain = || taken.iter().filter(|one| cylinder(one).is_some() && !is_thread(one));
+    let plain = || taken.iter().filter(|one| one.cylinder().is_some() && !is_thread(one));
     let (it, roughness) = (plain().filter_map(|one| one.grade).min(), plain().filter_map(|one| one.roughness).min());
     let threads: Vec<SurfaceName> = taken.iter().filter(is_thread).map(|one| one.name.clone()).collect();
     let tapped = bench.workpiece.threads.iter().filter(|thread| thread.tapped.is_some());

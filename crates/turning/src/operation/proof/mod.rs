@@ -10,7 +10,7 @@ use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::toolpath::{Purpose, Toolpath};
 use crate::turning::workpiece::SteadyRest;
-use proof::{At, Block, Fault, Mm, Motion, MotionKind, Sense, SetUp, Stock};
+use proof::{At, Block, Fault, Mm, Motion, MotionKind, Sense, SetUp, Stock, What};
 
 mod profile;
 mod tool;
@@ -143,7 +143,7 @@ const QUILL: &str = "body-quill";
 
 /// Whether a tool hits the centre of the tailstock in a set-up.
 pub(super) fn meets_centre(operation: &Operation, set_up: u8) -> bool {
-    let meets = |fault: &Fault| matches!(fault, Fault::Struck { body, .. } if *body == Figure::word(CENTRE));
+    let meets = |fault: &Fault| matches!(&fault.what, What::Struck { body, .. } if *body == Figure::word(CENTRE));
     let own = operation.proven.iter().filter(|one| one.set_up == set_up);
     own.filter_map(|one| one.proof.as_ref().ok()).any(|proof| proof.faults.iter().any(meets))
 }
@@ -162,7 +162,7 @@ pub(super) fn findings(operation: &Operation) -> Vec<Finding> {
 pub(super) fn standing(operation: &Operation) -> Vec<Finding> {
     let proven = operation.proven.iter().filter_map(|one| Some((one.set_up, one.proof.as_ref().ok()?)));
     let standing = proven.flat_map(|(set_up, proof)| told(operation, set_up, proof).map(move |one| (set_up, one)));
-    let standing = standing.filter(|(_, (_, fault))| matches!(fault, Fault::Stands { .. }));
+    let standing = standing.filter(|(_, (_, fault))| matches!(fault.what, What::Stands { .. }));
     standing.map(|(set_up, (severity, fault))| finding_of(set_up, severity, fault)).collect()
 }
 
@@ -217,20 +217,16 @@ fn told_but<'a>(
     let names = stretches.flat_map(|stretch| &stretch.profile.surfaces).map(|surface| &surface.name);
     let names = names.filter(|name| !left().any(|other| other == *name)).chain(axial().flat_map(Axial::far));
     let own: Vec<Figure> = names.filter(|name| !undone.contains(name)).map(|name| name.into_figure()).collect();
-    let is_told = move |fault: &&Fault| match fault {
+    let is_told = move |fault: &&Fault| match fault.what {
         // The end of an allowance for another machine lies on the slope beside it.
-        Fault::Stands { surface, thickness, at, .. }
-            if beside_allowance(operation, surface.as_ref(), *thickness, *at).is_some() =>
-        {
-            false
-        }
-        Fault::Stands { surface, .. }
-        | Fault::OffSize { surface, missing: false, .. }
-        | Fault::Corner { surface, .. }
-        | Fault::ThreadShallow { surface, .. }
-        | Fault::ThreadPart { surface, .. }
-        | Fault::ThreadShort { surface, .. } => surface.as_ref().is_none_or(|surface| own.contains(surface)),
-        unsafe_fault => is_unsafe(operation, unsafe_fault),
+        What::Stands { thickness, .. } if beside_allowance(operation, fault, thickness).is_some() => false,
+        What::Stands { .. }
+        | What::OffSize { missing: false, .. }
+        | What::Corner { .. }
+        | What::ThreadShallow { .. }
+        | What::ThreadPart { .. }
+        | What::ThreadShort { .. } => fault.surface().is_none_or(|surface| own.contains(surface)),
+        _ => is_unsafe(operation, fault),
     };
     let severity = |fault: &Fault| match fault {
         fault if fault.is_mild() => Severity::Note,
@@ -241,14 +237,14 @@ fn told_but<'a>(
 
 /// Whether a fault would damage the part or cause a collision.
 fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
-    match fault {
-        Fault::Stands { .. } | Fault::Corner { .. } | Fault::ThreadShallow { .. } => false,
-        Fault::OffSize { missing, .. } => *missing,
-        Fault::ThreadPart { .. } | Fault::ThreadShort { .. } => false,
-        Fault::Gouge { surface, depth, at, .. } => !is_mouth(operation, surface.as_ref(), *depth, *at),
-        Fault::Struck { .. } | Fault::RapidCut { .. } | Fault::Holder { .. } | Fault::OffAxis { .. } => true,
-        Fault::TapBlocked { .. } | Fault::TapOutOfStep { .. } | Fault::TapHoleWide { .. } => true,
-        Fault::ThreadLead { .. } | Fault::ThreadPhase { .. } | Fault::Buried { .. } => true,
+    match fault.what {
+        What::Stands { .. } | What::Corner { .. } | What::ThreadShallow { .. } => false,
+        What::OffSize { missing, .. } => missing,
+        What::ThreadPart { .. } | What::ThreadShort { .. } => false,
+        What::Gouge { depth } => !is_mouth(operation, fault, depth),
+        What::Struck { .. } | What::RapidCut { .. } | What::Holder { .. } | What::OffAxis => true,
+        What::TapBlocked { .. } | What::TapOutOfStep { .. } | What::TapHoleWide { .. } => true,
+        What::ThreadLead { .. } | What::ThreadPhase { .. } | What::Buried { .. } => true,
     }
 }
 
@@ -256,7 +252,7 @@ fn is_unsafe(operation: &Operation, fault: &Fault) -> bool {
 pub(super) fn unsafe_places(operation: &Operation, proven: &Proven) -> Vec<(usize, Note)> {
     let Ok(proof) = &proven.proof else { return Vec::new() };
     let found = proof.faults.iter().filter(|fault| is_unsafe(operation, fault));
-    found.filter_map(|fault| Some((fault.block()?.0, fault.note()))).collect()
+    found.filter_map(|fault| Some((fault.block?.0, fault.note()))).collect()
 }
 
 /// Why no program of a set-up is written: the first fault of the proof that makes it unsafe, or why there is no proof.
@@ -274,14 +270,15 @@ pub fn rejected(operation: &Operation, proven: &Proven) -> Option<Note> {
 
 /// Whether the cut removes only the end of an allowance that is left for another machine: the wall of a groove or a thread, or a
 /// slope beside that surface, goes on through it.
-fn is_mouth(operation: &Operation, surface: Option<&Figure>, depth: Mm, at: At) -> bool {
-    beside_allowance(operation, surface, depth, at).is_some_and(|profile| is_outside(profile, at))
+fn is_mouth(operation: &Operation, fault: &Fault, depth: Mm) -> bool {
+    let beside = beside_allowance(operation, fault, depth).zip(fault.at);
+    beside.is_some_and(|(profile, at)| is_outside(profile, at))
 }
 
 /// The profile of a surface beside one with an allowance for another machine, if a place on it is near the end of that allowance
 /// and what stands or is cut there is no thicker.
-fn beside_allowance<'a>(operation: &'a Operation, surface: Option<&Figure>, depth: Mm, at: At) -> Option<&'a Profile> {
-    let surface = surface?;
+fn beside_allowance<'a>(operation: &'a Operation, fault: &Fault, depth: Mm) -> Option<&'a Profile> {
+    let (surface, at) = (fault.surface()?, fault.at?);
     let sides = operation.set_ups.iter().flat_map(|set_up| [&set_up.set_up.outer, &set_up.set_up.inner]).flatten();
     sides.map(|side| &side.profile).find(|profile| {
         operation.elsewhere.iter().any(|one| {
