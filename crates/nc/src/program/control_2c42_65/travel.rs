@@ -2,7 +2,7 @@
 
 use super::block::Maker;
 use super::correction::Trouble;
-use crate::motion::{Motion, MotionStep, Position, geometry};
+use crate::motion::{Axis, Motion, MotionStep, Position, geometry};
 use crate::program::TextSpan;
 use crate::program::limits::{AxisRanges, beyond_travel};
 
@@ -41,6 +41,11 @@ impl Maker<'_> {
             if matches!(step.motion, Motion::Rapid | Motion::Feed { .. } | Motion::Arc { .. }) {
                 let reached = geometry::reach(&step.motion, self.state.actual, at);
                 self.hold_in_travel(reached, span);
+                let (ways, ends) = ((self.state.actual, at), self.state.floating[Axis::Z.index()]);
+                let told = self.state.stay.moves(&self.steps[index].motion, ways, ends, self.state.turning);
+                if let Some(code) = told {
+                    self.program_alone(code, span);
+                }
             }
             self.state.actual = at;
         }
@@ -49,7 +54,7 @@ impl Maker<'_> {
     /// An axis may not leave its travel (3.8.3).
     fn hold_in_travel(&mut self, reached: AxisRanges, span: TextSpan) {
         let (from, floating) = (self.state.actual, self.state.floating);
-        for (code, note) in beyond_travel(self.machine, reached, from, floating, self.spans) {
+        for (code, note) in beyond_travel(Some(self.machine), reached, from, floating, self.spans) {
             self.tell_note(code, span, note);
         }
     }

@@ -10,6 +10,7 @@ use crate::motion::{Axis, Plane, Position, Turning};
 use crate::program::Setting;
 use crate::program::brought::Registers;
 use crate::program::limits::Floating;
+use crate::program::stay::Stay;
 use crate::program::setting::Before;
 use crate::units::Micrometres;
 
@@ -96,6 +97,12 @@ pub(super) struct ControlState {
     pub lost: [f64; 3],
     /// Axes whose machine position is not known.
     pub floating: [Floating; 3],
+    /// Whether Z was last brought to a position of the machine.
+    pub z_on_machine: bool,
+    /// Whether a tool was changed there.
+    pub changed_on_machine: bool,
+    /// How the tool has stood since it came.
+    pub stay: Stay,
 }
 
 impl ControlState {
@@ -129,6 +136,9 @@ impl ControlState {
             at: setting.start,
             lost: [0.0; 3],
             floating: [None; 3],
+            z_on_machine: false,
+            changed_on_machine: false,
+            stay: Stay::comes(setting.start, None),
         };
         for code in &control.power_on {
             if let Some(function) = control.g.get(code).filter(|function| function.effect != Effect::CycleOff) {
