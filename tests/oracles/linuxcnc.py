@@ -371,7 +371,7 @@ def survey(technolog, folders):
                            for index, (a, b) in enumerate(zip(theirs, ours)) if not alike(a, b, 0.0031 if inches else NEAR)), None)
             if not differ and len(theirs) != len(ours):
                 differ = f"rs274 makes {len(theirs)} motions, we {len(ours)}"
-            named = [error for error in errors if error.startswith("not-carried-out")]
+            named = [error for error in errors if error.startswith(("not-carried-out", "traced-as-written"))]
             others = [error for error in errors if error not in named]
             about = f"{len(theirs)} motions, {took:.1f} s"
             if others:

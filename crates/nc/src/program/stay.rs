@@ -12,6 +12,8 @@ struct Cut {
     below: Micrometres,
     /// How deep it went.
     bottom: Micrometres,
+    /// The highest level at which it went across, else the bottom.
+    level: Micrometres,
     /// Whether it has gone across at feed: it may have left the metal at its side.
     across: bool,
     /// Whether it has gone down at feed: what only goes across at one height may be a torch or a laser.
@@ -35,18 +37,25 @@ impl Stay {
         Self { floating, highest: at.z, cut: None, cuts_below: None }
     }
 
-    /// A motion; `floating` is by which zero its end counts along Z. Returns the code of what is wrong with it, if anything.
+    /// A motion; `floating` is by which zero its end counts along Z, and `zero` that height. Returns the code of what is wrong
+    /// with it, if anything.
     pub fn moves(
         &mut self,
         motion: &Motion,
         (from, to): (Position, Position),
-        floating: Floating,
+        (floating, zero): (Floating, Micrometres),
         turning: Turning,
     ) -> Option<&'static str> {
         let sideways = from.x != to.x || from.y != to.y;
         let told = match self.cut.filter(|_| sideways && *motion == Motion::Rapid) {
             Some(cut) if !cut.across && from.z <= cut.bottom => Some("rapid-from-hole"),
-            Some(cut) if from.z < cut.below && from.z == to.z && turning != Turning::Stopped => Some("rapid-at-depth"),
+            Some(cut) if from.z == to.z && turning != Turning::Stopped => {
+                // Where it only went across at one height, as a torch does, and never stood higher, that height is free.
+                let low = from.z <= cut.level && (cut.down || cut.level < self.highest);
+                // A sign may be missing: the feed began over the zero, and the way back ended under it.
+                let under = !cut.across && from.z < zero && zero < cut.below;
+                (low || under).then_some("rapid-at-depth")
+            }
             _ => None,
         };
         if floating != self.floating {
@@ -70,10 +79,14 @@ impl Stay {
         let below = if to.z < from.z { from.z } else { just_over };
         if to.z < from.z || across {
             let before = self.cut;
+            // Straight down and deeper it makes a hole in the floor that it has cut.
+            let hole = !across && before.is_none_or(|cut| to.z < cut.bottom);
+            let level = if across { from.z.max(to.z) } else { to.z };
             let cut = Cut {
                 below: before.map_or(below, |cut| cut.below.max(below)),
                 bottom: before.map_or(to.z, |cut| cut.bottom.min(to.z)),
-                across: across || before.is_some_and(|cut| cut.across),
+                level: before.filter(|cut| cut.across && !hole).map_or(level, |cut| cut.level.max(level)),
+                across: !hole && (across || before.is_some_and(|cut| cut.across)),
                 down: to.z < from.z || before.is_some_and(|cut| cut.down),
             };
             self.cut = Some(cut);
@@ -84,9 +97,9 @@ impl Stay {
         self.highest = self.highest.max(to.z);
     }
 
-    /// Whether the tool still stands in its cut.
-    pub fn is_in_cut(&self) -> bool {
-        self.cut.is_some_and(|cut| cut.down)
+    /// Whether the tool at that height still stands in its cut.
+    pub fn is_in_cut(&self, z: Micrometres) -> bool {
+        self.cut.is_some_and(|cut| cut.down && z <= cut.level)
     }
 
     /// What is wrong with a tool change at that height: the tool stands no higher than where its feed began. Where it has

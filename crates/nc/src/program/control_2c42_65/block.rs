@@ -205,7 +205,7 @@ impl Maker<'_> {
                     self.flush();
                     let open = self.state.registers.ends();
                     self.never_came(open);
-                    if self.state.stay.is_in_cut() {
+                    if self.state.stay.is_in_cut(self.state.actual.z) {
                         self.program_alone("ends-in-cut", function.span);
                     }
                     self.push(Motion::End);
@@ -270,7 +270,8 @@ impl Maker<'_> {
             self.spindle(Turning::Stopped);
         }
         let floating = self.state.floating[Axis::Z.index()];
-        if let Some(code) = self.state.stay.at_change(actual.z, floating) {
+        let low = self.state.stay.at_change(actual.z, floating).filter(|_| actual.z != place.z || floating.is_some());
+        if let Some(code) = low {
             self.program_alone(code, function.span);
         } else if self.state.changed_on_machine && floating.is_some() {
             // The program shows by its other changes where they must be.

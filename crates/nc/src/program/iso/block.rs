@@ -229,7 +229,7 @@ impl Maker<'_> {
                 Action::End => {
                     let open = self.state.registers.ends();
                     self.never_came(open);
-                    if self.state.stay.is_in_cut() {
+                    if self.state.stay.is_in_cut(self.state.at.z) {
                         self.fault("ends-in-cut", function.span).of_program_alone = true;
                     }
                     self.push(Motion::End);
@@ -318,7 +318,8 @@ impl Maker<'_> {
         }
         self.withdraws();
         let floating = self.state.floating[Axis::Z.index()];
-        if let Some(code) = self.state.stay.at_change(self.state.at.z, floating) {
+        let low = self.state.stay.at_change(self.state.at.z, floating).filter(|_| !self.state.z_on_machine);
+        if let Some(code) = low {
             self.fault(code, function.span).of_program_alone = true;
         } else if self.state.changed_on_machine && !self.state.z_on_machine {
             // The program shows by its other changes where they must be.
@@ -370,7 +371,7 @@ impl Maker<'_> {
         let (at, place) = (self.state.at, machine.change_place());
         let asked = machine.change_axes();
         let known = asked.iter().all(|axis| self.state.floating[axis.index()].is_none());
-        if known && asked.iter().any(|axis| at.get(*axis) != place[axis.index()]) {
+        if self.state.moved && known && asked.iter().any(|axis| at.get(*axis) != place[axis.index()]) {
             let said = |position: &dyn Fn(Axis) -> Micrometres| {
                 asked.iter().map(|axis| format!("{}{}", axis.letter(), position(*axis))).collect::<Vec<_>>().join(" ")
             };
@@ -586,11 +587,22 @@ impl Maker<'_> {
             self.fault(code, span).note = note;
         }
         self.state.z_on_machine &= from.z == to.z;
-        let ends = floating[Axis::Z.index()];
-        if let Some(code) = self.state.stay.moves(&step.motion, (from, to), ends, self.state.turning) {
+        self.state.moved = true;
+        self.stays(&step.motion, from, span);
+        self.steps.push(step);
+    }
+
+    /// What a motion to where the axes are now shows of the heights of the tool. A cycle along another axis says nothing of them.
+    fn stays(&mut self, motion: &Motion, from: Position, span: TextSpan) {
+        let (to, ends) = (self.state.at, self.state.floating[Axis::Z.index()]);
+        if self.state.mode(Group::Cycle).is_some() && self.state.mode(Group::Plane) != Some(170) {
+            self.state.stay = Stay::comes(to, ends);
+            return;
+        }
+        let zero = self.state.origin(Axis::Z, self.setting).0;
+        if let Some(code) = self.state.stay.moves(motion, (from, to), (ends, zero), self.state.turning) {
             self.fault(code, span).of_program_alone = true;
         }
-        self.steps.push(step);
     }
 
     /// A motion across the plane to a level.

@@ -227,6 +227,11 @@ impl Control {
         self.g.contains_key(&410) || self.passed_g.contains_key(&410)
     }
 
+    /// Whether the address is known, and not carried out here.
+    pub(super) fn passes_address(&self, address: char) -> bool {
+        self.passed_addresses.contains_key(&address) && !self.addresses.contains_key(&address)
+    }
+
     /// Whether it has a function for the tool change.
     pub(super) fn changes_tools(&self) -> bool {
         self.m.values().any(|function| function.action == Action::ToolChange)

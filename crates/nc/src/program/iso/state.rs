@@ -97,6 +97,8 @@ pub(super) struct ControlState {
     pub lost: [f64; 3],
     /// Axes whose machine position is not known.
     pub floating: [Floating; 3],
+    /// Whether the program has moved any axis: before that they stand where nobody knows.
+    pub moved: bool,
     /// Whether Z was last brought to a position of the machine.
     pub z_on_machine: bool,
     /// Whether a tool was changed there.
@@ -136,6 +138,7 @@ impl ControlState {
             at: setting.start,
             lost: [0.0; 3],
             floating: [None; 3],
+            moved: false,
             z_on_machine: false,
             changed_on_machine: false,
             stay: Stay::comes(setting.start, None),
