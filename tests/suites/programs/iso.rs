@@ -214,10 +214,13 @@ fn names_a_page(cell: &str) -> bool {
     if !rs274.into_iter().all(stands) {
         return false;
     }
-    let words = ["rs274", "unconfirmed", "ours", "github", "code index, file", ", p. ", "`grbl/", "`interp_", "](control-"];
+    let words =
+        ["rs274", "unconfirmed", "ours", "github", "code index, file", ", p. ", "`grbl/", "`interp_", "](control-"];
     let address = cell.split(['(', ' ', ',']).any(|word| {
         let host = word.split('/').next().unwrap_or_default();
-        word.contains('/') && host.contains('.') && host.chars().all(|sign| sign.is_ascii_alphanumeric() || ".-".contains(sign))
+        word.contains('/')
+            && host.contains('.')
+            && host.chars().all(|sign| sign.is_ascii_alphanumeric() || ".-".contains(sign))
     });
     let others = ["the record of the machine", "as RS274/NGC", "the same list", "the same page"];
     address || words.iter().chain(&others).any(|word| cell.contains(word))

@@ -88,7 +88,10 @@ pub(super) fn speed_off_steps(machine: &Machine<'_>, speed: f64) -> Option<(&'st
         return Some((code, Note::new(code).with("limit", highest)));
     }
     // A step between whole numbers may be written as the whole number below it.
-    if speed == 0.0 || (machine.stepless && speed >= lowest) || steps.iter().any(|step| step.0 == speed || libm::floor(step.0) == speed) {
+    if speed == 0.0
+        || (machine.stepless && speed >= lowest)
+        || steps.iter().any(|step| step.0 == speed || libm::floor(step.0) == speed)
+    {
         return None;
     }
     let below = steps.iter().rev().find(|step| step.0 < speed);

@@ -63,7 +63,9 @@ impl Stay {
             return told;
         }
         match motion {
-            Motion::Feed { .. } | Motion::Arc { .. } => self.cuts(from, to, sideways || matches!(motion, Motion::Arc { .. })),
+            Motion::Feed { .. } | Motion::Arc { .. } => {
+                self.cuts(from, to, sideways || matches!(motion, Motion::Arc { .. }))
+            }
             Motion::Rapid => {
                 self.highest = self.highest.max(to.z);
                 self.cut = self.cut.filter(|cut| to.z < cut.below);

@@ -57,7 +57,8 @@ impl Maker<'_> {
             self.state.stay = Stay::comes(to, ends);
             return;
         }
-        let zero = self.state.corrected(Position::default().with(Axis::Z, self.state.origin_of(Axis::Z, self.setting).0)).z;
+        let zero =
+            self.state.corrected(Position::default().with(Axis::Z, self.state.origin_of(Axis::Z, self.setting).0)).z;
         let motion = &self.steps[index].motion;
         if let Some(code) = self.state.stay.moves(motion, (from, to), (ends, zero), self.state.turning) {
             self.program_alone(code, span);

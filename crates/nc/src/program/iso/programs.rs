@@ -144,8 +144,11 @@ pub(super) fn call(block: &Block, words: &BlockWords, control: &Control) -> Opti
     let program = words.get('P')?;
     let number = program.millionths / 1_000_000;
     let times = words.get('L').map(|given| given.millionths / 1_000_000);
-    let (number, packed) =
-        if control.is(Q::RepeatsInP) && !local && number > 9999 { (number % 10_000, number / 10_000) } else { (number, 1) };
+    let (number, packed) = if control.is(Q::RepeatsInP) && !local && number > 9999 {
+        (number % 10_000, number / 10_000)
+    } else {
+        (number, 1)
+    };
     let name = if local { local_name(number) } else { number.to_string() };
     Some(Call { name, repeats: times.unwrap_or(packed), span: program.span })
 }

@@ -14,9 +14,9 @@ use super::values::{self, Seen, Values};
 use super::words::{ADDRESSES, BlockWords};
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Motion, MotionStep, Sink};
+use crate::note::Severity;
 use crate::program::expression::Expression;
 use crate::program::running::{BlockOutcome, Running};
-use crate::note::Severity;
 use crate::program::setting::Before;
 use crate::program::{Fault, Setting, Subject, TextSpan};
 

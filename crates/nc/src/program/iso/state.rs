@@ -10,8 +10,8 @@ use crate::motion::{Axis, Plane, Position, Turning};
 use crate::program::Setting;
 use crate::program::brought::Registers;
 use crate::program::limits::Floating;
-use crate::program::stay::Stay;
 use crate::program::setting::Before;
+use crate::program::stay::Stay;
 use crate::units::Micrometres;
 
 /// The function in force in every group.
