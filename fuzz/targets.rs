@@ -144,7 +144,7 @@ fn iso(control: &str, text: &str) {
     let control = iso::Control::read(control, &KNOWLEDGE).expect("the control has its tables");
     let machine = Machine::find(&KNOWLEDGE, "ir500pmf4").expect("the machine has its record");
     let mut steps = Vec::<MotionStep>::new();
-    let faults = check_within(BUDGET, text, &control, &machine, &Setting::default(), &mut steps);
+    let faults = check_within(BUDGET, text, &control, Some(&machine), &Setting::default(), &mut steps);
     assert!(steps.len() <= 2 * BUDGET, "the budget of motions");
     let lines: Vec<&str> = text.lines().collect();
     for fault in &faults {

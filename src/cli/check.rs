@@ -11,7 +11,7 @@ use technolog::cases::FileKind;
 use technolog::document::{Block, Document, Table};
 use technolog::knowledge::{Diagnostic, Place, Severity};
 use technolog::motion::MotionStep;
-use technolog::motion::time::{Clock, Times};
+use technolog::motion::time::{Clock, KnownTimes};
 use technolog::motion::trace;
 use technolog::note::{Figure, Finding, Note};
 use technolog::plan::CuttingMethod;
@@ -48,7 +48,8 @@ pub struct Args {
 struct Answer<'a> {
     program: &'a str,
     control: &'a str,
-    machine: &'a str,
+    /// The machine whose limits are checked; none where nobody names one.
+    machine: Option<&'a str>,
     /// Reasons why no program can make the part.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     part: Vec<String>,
@@ -57,7 +58,7 @@ struct Answer<'a> {
     unfinished: Vec<String>,
     findings: Vec<FaultMessage<'a>>,
     trace: &'a [MotionStep],
-    time: Times,
+    time: KnownTimes,
     #[serde(skip_serializing_if = "Option::is_none")]
     proof: Option<proof::Answer<'a>>,
 }
@@ -95,14 +96,17 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let plan =
         args.part.as_deref().map(|part| plan::make(part, CuttingMethod::default(), knowledge, context)).transpose()?;
     let of_part = plan.as_ref().map(|plan| plan.part.machine.clone());
-    let machine = args.machine.as_deref().or(of_part.as_deref()).unwrap_or("gf2171");
-    let machine = control::machine(machine, knowledge, context)?;
-    let id = machine.id();
-    if let Some(own) = of_part.as_deref() {
-        control::same_machine(id, own, context)?;
+    let named = args.machine.as_deref().or(of_part.as_deref());
+    let named = named.map(|machine| control::machine(machine, knowledge, context)).transpose()?;
+    if let (Some(machine), Some(own)) = (&named, of_part.as_deref()) {
+        control::same_machine(machine.id(), own, context)?;
     }
-    let control = control::chosen(args.control.as_deref(), &machine, knowledge, context)?;
+    let control = control::chosen(args.control.as_deref(), named.as_ref(), knowledge, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
+    // Of a machine that nobody has named the program is not blamed for the limits.
+    let assumed = language.own_machine().filter(|_| named.is_none());
+    let assumed = assumed.map(|machine| control::machine(machine, knowledge, context)).transpose()?;
+    let machine = named.as_ref().or(assumed.as_ref());
     let planned = plan.map(|plan| PlannedJob::of(plan, &language, knowledge)).transpose();
     let mut planned = planned.map_err(at_fault)?;
     let mut setting = match &args.setting {
@@ -118,8 +122,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     if let Some(planned) = &mut planned {
         planned.set(&mut setting);
     }
-    let mut sink = (Vec::<MotionStep>::new(), Clock::new(&machine, setting.start));
-    let faults = language.check(&text, &machine, &setting, &mut sink);
+    let mut sink = (Vec::<MotionStep>::new(), Clock::new(machine, setting.start));
+    let faults = language.check(&text, machine, &setting, &mut sink);
     let (steps, clock) = sink;
     if faults.iter().any(Fault::is_error) {
         kind::refuse_other(&shown, &text, FileKind::Program, context)?;
@@ -137,12 +141,12 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             context.emit_json(&Answer {
                 program: &shown,
                 control,
-                machine: id,
+                machine: machine.map(|machine| machine.id()),
                 part: serious.iter().map(|finding| context.lang.say(&finding.note)).collect(),
                 unfinished: undone.iter().map(|finding| proof::sentence(finding, context)).collect(),
                 findings,
                 trace: &steps,
-                time: clock.times(),
+                time: clock.known_times(),
                 proof: proof.as_ref().map(|proof| proof::answer(proof, context)),
             })?;
         }
@@ -162,6 +166,13 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 let help = say!(context.lang, "check-read-as-other", controls = Language::names(knowledge).join(", "));
                 let read_as = Diagnostic::error("read-as", message, None).help(help);
                 problems.insert(0, Diagnostic { severity: Severity::Note, ..read_as });
+            }
+            if let Some(machine) = &assumed {
+                let names = (machine.id(), control);
+                let message = say!(context.lang, "check-machine-assumed", machine = names.0, control = names.1);
+                let help = Some(context.word("check-name-machine").into());
+                let assumed = Diagnostic::error("machine-assumed", message, None);
+                problems.insert(0, Diagnostic { severity: Severity::Note, help, ..assumed });
             }
             problems.extend(proof::part_diagnostics(&serious, context));
             problems.extend(proof::part_diagnostics(&undone, context));
@@ -183,7 +194,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let counts = [Severity::Error, Severity::Warning, Severity::Note]
                 .map(|severity| all.iter().filter(|one| **one == severity).count());
             let reported = (counts, problems::blocks(problems, more, &texts, format, context));
-            let page = page(&shown, reported, made, &steps, clock.times(), context.lang);
+            let page = page(&shown, reported, made, &steps, clock.known_times(), context.lang);
             context.emit_document(&problems::untitled(page, format), format)?;
         }
     }
@@ -264,7 +275,7 @@ fn page(
     (counts, problems): ([usize; 3], Vec<Block>),
     made: Option<Table>,
     steps: &[MotionStep],
-    times: Times,
+    times: KnownTimes,
     lang: Lang,
 ) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "check-title", program = program));
@@ -278,15 +289,20 @@ fn page(
         page.push(Block::Code(steps.iter().map(|step| motion(step, lang) + "\n").collect()));
         page.heading(2, lang.word("check-times"));
         let minutes = |minutes: Minutes| Figure::fixed(minutes.0, 2);
-        page.paragraph(say!(
-            lang,
-            "check-times-of",
-            total = minutes(times.total_min),
-            feed = minutes(times.feed_min),
-            rapid = minutes(times.rapid_min),
-            dwell = minutes(times.dwell_min),
-            change = minutes(times.tool_change_min)
-        ));
+        page.paragraph(match times {
+            KnownTimes::OfMachine(times) => say!(
+                lang,
+                "check-times-of",
+                total = minutes(times.total_min),
+                feed = minutes(times.feed_min),
+                rapid = minutes(times.rapid_min),
+                dwell = minutes(times.dwell_min),
+                change = minutes(times.tool_change_min)
+            ),
+            KnownTimes::Alone { feed_min, dwell_min } => {
+                say!(lang, "check-times-alone", feed = minutes(feed_min), dwell = minutes(dwell_min))
+            }
+        });
     }
     page.paragraph(total(counts, lang));
     page

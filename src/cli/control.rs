@@ -41,25 +41,30 @@ impl TypedValueParser for Names {
     }
 }
 
-/// The given control, otherwise that of the machine's record.
+/// The given control, otherwise that of the machine's record, otherwise 2С42-65.
 ///
 /// # Errors
-/// None is given, and the record names none; or there is none of that name, or its language is not known.
+/// None is given, and the record of the machine names none; or there is none of that name, or its language is not known.
 pub fn chosen<'a>(
     given: Option<&'a str>,
-    machine: &Machine<'a>,
+    machine: Option<&Machine<'a>>,
     knowledge: &Knowledge,
     context: &Context,
 ) -> Result<&'a str, CliError> {
-    let Some(control) = given.or(machine.control) else {
-        return Err(unknown(words::no_control(context.lang, machine.id()), knowledge, context));
+    let control = match (given, machine) {
+        (Some(given), _) => given,
+        (None, None) => Language::UNLESS_NAMED,
+        (None, Some(machine)) => {
+            let none = || unknown(words::no_control(context.lang, machine.id()), knowledge, context);
+            machine.control.ok_or_else(none)?
+        }
     };
     if Language::names(knowledge).contains(&control) {
         return Ok(control);
     }
     let message = match given {
         Some(_) => say!(context.lang, "cli-unknown-control", control = control),
-        None => words::alien_control(context.lang, machine.id(), control),
+        None => words::alien_control(context.lang, machine.map_or(control, Machine::id), control),
     };
     Err(unknown(message, knowledge, context))
 }

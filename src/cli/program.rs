@@ -101,7 +101,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let plan = plan::make(&args.part, CuttingMethod::default(), knowledge, context)?;
     let machine = control::machine(&plan.part.machine, knowledge, context)?;
-    let control = control::chosen(args.control.as_deref(), &machine, knowledge, context)?;
+    let control = control::chosen(args.control.as_deref(), Some(&machine), knowledge, context)?;
     if let Some(number) = args.number.filter(|number| control == "2c42-65" && *number > 99) {
         let message = say!(context.lang, "program-number-beyond", number = number);
         return Err(Diagnostic::error("bad-number", message, None).into());

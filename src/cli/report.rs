@@ -123,7 +123,7 @@ fn of_part(
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let plan = plan::make(&args.part, CuttingMethod::default(), knowledge, context)?;
     let machine = control::machine(&plan.part.machine, knowledge, context)?;
-    let control = control::chosen(args.control.as_deref(), &machine, knowledge, context)?;
+    let control = control::chosen(args.control.as_deref(), Some(&machine), knowledge, context)?;
     let made = Made::of(plan, control, (None, true), knowledge).map_err(at_fault)?;
     let (plan, job) = (&made.planned.plan, &made.planned.job);
     let sheet = encoding_sheet(&made.written, job, plan, control, knowledge, context.lang).map_err(at_fault)?;

@@ -58,17 +58,17 @@ fn checked(program: &Program, knowledge: &Knowledge) -> Result<Value, KnowledgeE
         }
     };
     let of_part = planned.as_ref().map(|planned| planned.plan.part.machine.as_str());
-    let id = program.machine.as_deref().or(of_part).unwrap_or("gf2171");
-    let machine = Machine::find(knowledge, id)?;
-    let mut sink = (Vec::<MotionStep>::new(), Clock::new(&machine, setting.start));
-    let faults = program.language.check(&program.text, &machine, &setting, &mut sink);
+    let id = program.machine.as_deref().or(of_part).or_else(|| program.language.own_machine());
+    let machine = id.map(|id| Machine::find(knowledge, id)).transpose()?;
+    let mut sink = (Vec::<MotionStep>::new(), Clock::new(machine.as_ref(), setting.start));
+    let faults = program.language.check(&program.text, machine.as_ref(), &setting, &mut sink);
     let (trace, clock) = sink;
     let mut answer = serde_json::json!({
         "control": program.control,
         "machine": id,
         "findings": value(&faults),
         "trace": value(&trace),
-        "time": value(&clock.times()),
+        "time": value(&clock.known_times()),
     });
     if let (Some(planned), Some(answer)) = (&planned, answer.as_object_mut()) {
         answer.insert("part".to_owned(), value(&planned.serious()));

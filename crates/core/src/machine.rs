@@ -145,6 +145,10 @@ pub struct Machine<'k> {
     pub tool_change_at: (Micrometres, Micrometres),
     /// The position of the quill for a tool change.
     pub tool_change_z: Micrometres,
+    /// Whether the tool is changed wherever the table stands, so that only the quill has a place for it.
+    pub change_anywhere: bool,
+    /// Whether the spindle turns at every speed between the ends of its row.
+    pub stepless: bool,
     /// From the spindle nose to the table with the quill retracted, least and greatest by the knee; absent if the
     /// record does not say.
     pub nose_to_table: Option<(Micrometres, Micrometres)>,
@@ -267,6 +271,8 @@ impl<'k> Machine<'k> {
             tool_change: Minutes(number(Q::ToolChangeTime)? / 60.0),
             tool_change_at: (length(Q::ToolChangeX)?, length(Q::ToolChangeY)?),
             tool_change_z: length(Q::ToolChangeZ)?,
+            change_anywhere: any(Q::ChangeAnywhere).is_some_and(|yes| yes > 0.0),
+            stepless: any(Q::SpindleStepless).is_some_and(|yes| yes > 0.0),
             nose_to_table: length_if_any(Q::NoseToTableMin).zip(length_if_any(Q::NoseToTableMax)),
             spindle_to_column: length_if_any(Q::SpindleToColumn),
             taper: number(Q::SpindleTaper)? as i64,
@@ -291,6 +297,16 @@ impl<'k> Machine<'k> {
             Axis::Y => self.travel_y,
             Axis::Z => self.travel_z,
         }
+    }
+
+    /// Where the tool is changed, machine coordinates.
+    pub const fn change_place(&self) -> [Micrometres; 3] {
+        [self.tool_change_at.0, self.tool_change_at.1, self.tool_change_z]
+    }
+
+    /// The axes along which the tool change asks for its place.
+    pub const fn change_axes(&self) -> &'static [Axis] {
+        if self.change_anywhere { &[Axis::Z] } else { &Axis::ALL }
     }
 
     /// Its characteristics as the record has them, each in the unit of its row.

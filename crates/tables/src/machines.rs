@@ -45,6 +45,10 @@ vocabulary! {
         CanTap = "can-tap",
         Control = "control",
         Contouring = "contouring",
+        /// Whether its tools are changed wherever its table stands.
+        ChangeAnywhere = "tool-change-anywhere",
+        /// Whether its spindle has no steps.
+        SpindleStepless = "spindle-stepless",
         MinuteRate = "minute-rate",
     }
 }

@@ -90,6 +90,7 @@ fn harmless(
         "M5 missing" if stands_at_stops(language, steps) => {
             Some("every change stops the spindle, and at no stop does it turn")
         }
+        "G40 never set" if control == "grbl" => Some("it refuses G41 and G42, so no program can have left one"),
         "quill not withdrawn" if last() => Some("behind the last hole nothing moves any more"),
         _ => None,
     }
@@ -213,6 +214,20 @@ fn dangerous(control: &str, text: &str) -> Vec<(String, String)> {
         "quill not withdrawn",
         one_by_one(text, |line| if line.ends_with(away) { String::new() } else { line.to_owned() }),
     );
+    if by_hand {
+        // The cycles of this control stand as single motions. Pecks go on down from where they are.
+        let lines: Vec<&str> = text.lines().collect();
+        let out = |at: usize| {
+            let near = |at: usize| lines.get(at).copied().unwrap_or_default();
+            let drilled = at > 0 && has(near(at - 1), "G1") && near(at - 1).contains(" Z-");
+            drilled && has(near(at), "G0") && near(at).contains(" Z") && near(at + 1).contains(" X")
+        };
+        let skipped = |gone: usize| {
+            let rest = lines.iter().enumerate().filter(|(at, _)| *at != gone);
+            rest.map(|(_, line)| format!("{line}\n")).collect::<String>()
+        };
+        put("way out of a hole missing", (0..lines.len()).filter(|at| out(*at)).map(skipped).collect());
+    }
     put("G91 for G90", vec![each(text, |line| line.replace("G90", "G91"))]);
     // A rapid in a hole goes back to where the feed has been, or a little less far.
     let feeds = |line: &str| !by_hand || has(line, "G1") || line.contains("G43.1");
@@ -327,7 +342,8 @@ proptest! {
 }
 
 /// What a program shows against itself, without a part: every one of these mutants must end with exit code 1.
-const ALONE: [&str; 21] = [
+const ALONE: [&str; 22] = [
+    "way out of a hole missing",
     "G17 never set",
     "G21 never set",
     "G40 never set",

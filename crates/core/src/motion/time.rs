@@ -25,24 +25,48 @@ pub struct Times {
     pub total_min: Minutes,
 }
 
+/// The times that are known of a program: without a machine only those of its own words, min.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum KnownTimes {
+    /// On a machine.
+    OfMachine(Times),
+    /// Without one: nobody knows how long rapids and tool changes take.
+    Alone {
+        /// At feed.
+        feed_min: Minutes,
+        /// Waiting.
+        dwell_min: Minutes,
+    },
+}
+
 /// A sink that sums up times.
 #[derive(Clone, Debug)]
 pub struct Clock {
-    rapid: Rapid,
+    rapid: Option<Rapid>,
     tool_change: Minutes,
     at: Position,
     times: Times,
 }
 
 impl Clock {
-    /// A clock for a machine whose axes start at that position.
-    pub const fn new(machine: &Machine<'_>, at: Position) -> Self {
-        let none = Minutes(0.0);
+    /// A clock for a machine whose axes start at that position; without one, rapids and tool changes take no time.
+    pub fn new<'m>(machine: impl Into<Option<&'m Machine<'m>>>, at: Position) -> Self {
+        let (none, machine) = (Minutes(0.0), machine.into());
         Self {
-            rapid: machine.rapids(),
-            tool_change: machine.tool_change,
+            rapid: machine.map(Machine::rapids),
+            tool_change: machine.map_or(none, |machine| machine.tool_change),
             at,
             times: Times { feed_min: none, rapid_min: none, dwell_min: none, tool_change_min: none, total_min: none },
+        }
+    }
+
+    /// What is known of the times so far.
+    pub fn known_times(&self) -> KnownTimes {
+        let times = self.times();
+        match self.rapid {
+            Some(_) => KnownTimes::OfMachine(times),
+            None => KnownTimes::Alone { feed_min: times.feed_min, dwell_min: times.dwell_min },
         }
     }
 
@@ -64,7 +88,7 @@ impl Sink for Clock {
         match &step.motion {
             Motion::Rapid => {
                 let farthest = Axis::ALL.map(|axis| (step.at.get(axis) - self.at.get(axis)).abs()).into_iter().max();
-                let time = self.rapid.time(farthest.unwrap_or_default());
+                let time = self.rapid.map_or(Minutes(0.0), |rapid| rapid.time(farthest.unwrap_or_default()));
                 self.times.rapid_min = self.times.rapid_min + time;
             }
             Motion::Feed { feed_mm_per_min } | Motion::Arc { feed_mm_per_min, .. } => {

@@ -335,8 +335,9 @@ impl Watch {
                 let (code, other) = match owner.or(named.filter(|named| *named != tool)) {
                     Some(other) => ("offset-of-other-tool", other),
                     None if number != tool && tools.contains(&number) => ("offset-of-other-number", number),
-                    // Of several tools a habit of their owner shows; of one it may be a slip.
-                    None if number != tool && tools.len() == 1 && !by_number => {
+                    // Of several tools whose registers have other numbers a habit of their owner shows; of one, or where the
+                    // other tools have those of their own numbers, it may be a slip.
+                    None if number != tool && (tools.len() == 1 || by_number) && !pairs.contains(&(tool, tool)) => {
                         let code = "offset-of-strange-number";
                         let note = Note::new(code).with("tool", tool).with("corrector", number);
                         self.told.push((cut.block, code, note));

@@ -18,9 +18,9 @@ pub(super) type Spans = BTreeMap<(u8, usize), (Micrometres, Micrometres)>;
 pub(super) type AxisRanges = [(Micrometres, Micrometres); 3];
 
 /// The part of a motion outside the travels. If the zero of an axis is set, its machine position is known; otherwise the required
-/// length of travel is.
+/// length of travel is. Without a machine nothing is beyond, and only what each system needs is noted.
 pub(super) fn beyond_travel(
-    machine: &Machine<'_>,
+    machine: Option<&Machine<'_>>,
     reached: AxisRanges,
     from: Position,
     floating: [Floating; 3],
@@ -33,9 +33,10 @@ pub(super) fn beyond_travel(
         if low == here && high == here {
             continue;
         }
-        let (least, most) = machine.range(axis);
+        let range = machine.map(|machine| machine.range(axis));
         match floating[axis.index()] {
             None => {
+                let Some((least, most)) = range else { continue };
                 let beyond = if low < least { Some(low) } else { Some(high).filter(|high| *high > most) };
                 if let Some(value) = beyond {
                     let code = "beyond-travel-of";
@@ -46,6 +47,7 @@ pub(super) fn beyond_travel(
             Some(system) => {
                 let entry = spans.entry((system, axis.index())).or_insert((low, high));
                 *entry = (entry.0.min(low), entry.1.max(high));
+                let Some((least, most)) = range else { continue };
                 let (needed, travel) = (entry.1 - entry.0, most - least);
                 if needed > travel {
                     let code = "span-beyond-travel";
@@ -79,13 +81,17 @@ fn system_name(system: u8) -> String {
 /// What is wrong with a spindle speed on the machine, if anything is; 1/min.
 pub(super) fn speed_off_steps(machine: &Machine<'_>, speed: f64) -> Option<(&'static str, Note)> {
     let steps = &machine.spindle_steps;
+    let lowest = steps.first().map_or(0.0, |step| step.0);
     let highest = steps.last().map_or(f64::INFINITY, |step| step.0);
     if speed > highest {
         let code = "speed-beyond-machine";
         return Some((code, Note::new(code).with("limit", highest)));
     }
     // A step between whole numbers may be written as the whole number below it.
-    if speed == 0.0 || steps.iter().any(|step| step.0 == speed || libm::floor(step.0) == speed) {
+    if speed == 0.0
+        || (machine.stepless && speed >= lowest)
+        || steps.iter().any(|step| step.0 == speed || libm::floor(step.0) == speed)
+    {
         return None;
     }
     let below = steps.iter().rev().find(|step| step.0 < speed);

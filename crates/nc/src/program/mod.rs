@@ -17,6 +17,7 @@ mod limits;
 pub mod proof;
 mod running;
 pub mod setting;
+mod stay;
 pub mod written;
 
 use serde::Serialize;
@@ -39,6 +40,8 @@ use written::{Form, WrittenProgram};
 
 /// The name of 2С42-65.
 const OLD: &str = "2c42-65";
+/// The machine of its description (docs/control-2c42-65.md).
+const OLD_STANDS_ON: &str = "gf2171";
 
 /// The language of a control, read from its tables.
 #[derive(Clone, Debug)]
@@ -50,6 +53,9 @@ pub enum Language {
 }
 
 impl Language {
+    /// The control that is meant where neither it nor a machine is named.
+    pub const UNLESS_NAMED: &str = OLD;
+
     /// The controls, as a user names them: 2С42-65, then those that have a record.
     pub fn names(knowledge: &Knowledge) -> Vec<&str> {
         std::iter::once(OLD).chain(iso::Control::names(knowledge)).collect()
@@ -116,11 +122,31 @@ impl Language {
         }
     }
 
-    /// Checks a program: its text, then its run. The steps of the run are output to the sink; the faults are
-    /// returned, sorted by place.
-    pub fn check<S: Sink>(&self, text: &str, machine: &Machine<'_>, setting: &Setting, sink: &mut S) -> Vec<Fault> {
+    /// The machine that is meant where nobody names one: of 2С42-65 that on which its description has it. The other controls
+    /// stand on machines of every kind, so none is meant.
+    pub const fn own_machine(&self) -> Option<&'static str> {
         match self {
-            Self::Control2c42(control) => control_2c42_65::check_within(BUDGET, text, control, machine, setting, sink),
+            Self::Control2c42(_) => Some(OLD_STANDS_ON),
+            Self::Iso(_) => None,
+        }
+    }
+
+    /// Checks a program: its text, then its run. The steps of the run are output to the sink; the faults are
+    /// returned, sorted by place. Without a machine what depends on one is not checked, and a note says so; 2С42-65 is not
+    /// run without one, because its description is that of a machine.
+    pub fn check<'m, S: Sink>(
+        &self,
+        text: &str,
+        machine: impl Into<Option<&'m Machine<'m>>>,
+        setting: &Setting,
+        sink: &mut S,
+    ) -> Vec<Fault> {
+        let machine = machine.into();
+        match self {
+            Self::Control2c42(control) => match machine {
+                Some(machine) => control_2c42_65::check_within(BUDGET, text, control, machine, setting, sink),
+                None => vec![control_2c42_65::without_machine()],
+            },
             Self::Iso(control) => iso::check_within(BUDGET, text, control, machine, setting, sink),
         }
     }

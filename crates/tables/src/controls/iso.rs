@@ -64,6 +64,8 @@ vocabulary! {
         End = "end",
         Return = "return",
         Call = "call",
+        /// Of the blocks from a number on.
+        CallLocal = "call-local",
         SpindleClockwise = "spindle-clockwise",
         SpindleCounterclockwise = "spindle-counterclockwise",
         SpindleStop = "spindle-stop",
@@ -115,6 +117,8 @@ vocabulary! {
         Turning = "turning",
         Stopped = "stopped",
         Reversed = "reversed",
+        /// It stops at an angle, and the bar is drawn off the wall before it goes out.
+        Oriented = "oriented",
     }
 
     /// The motion of a cycle out of the hole.
@@ -176,6 +180,7 @@ vocabulary! {
         TapStartsSpindle = "tap-starts-spindle",
         MacroWords = "macro-words",
         ChangeStopsSpindle = "change-stops-spindle",
+        ChangeWithdraws = "change-withdraws",
         StopStopsSpindle = "stop-stops-spindle",
         StopLeavesSpindle = "stop-leaves-spindle",
         LengthsInOffsets = "lengths-in-offsets",
@@ -250,6 +255,7 @@ rows! {
         whole: Option<bool>,
         goes_on: Option<bool>,
         harmless: Option<bool>,
+        as_written: Option<bool>,
     } shown { meaning_uk, meaning_en }
 
     /// The meanings of the words of a control, where one table has all of them.

@@ -77,6 +77,18 @@ offset-of-tool-before = T{ $tool } cuts with the length offset { $value } mm tha
     .help = give the offset of this tool
 tap-not-rigid = a tapping cycle without { $word } before it: the spindle does not follow the feed
     .help = give { $word } with S before the cycle, or use a chuck that lets the tap float
+machine-not-named = no machine is named: travels, speeds, feeds, places of the magazine and of the change, and tapping are not checked
+    .help = name one with --machine (`technolog table` lists them as machine-…)
+traced-as-written = { $word } is not carried out here, at { $count } { $count ->
+        [one] place
+       *[other] places
+    }: the ways are traced as they are written, the axes go beside them by the radius of the tool
+    .help = look at the contour in the graphics of the control
+shift-not-traced = the way of the bar off the wall before it goes out is not traced: the control is set to its direction
+shift-missing = the bar goes out along the wall it has bored: nothing draws it off
+    .help = give Q
+fixed-point-not-given = neither the second reference point is given nor the machine: its zero is shown in its place
+    .help = give `fixed_point` in the setting, or name the machine with --machine
 fixed-point-assumed = the second reference point is not given: that of the tool change, { $place }, is taken
     .help = give `fixed_point` in the setting
 main-begins-anew = M99 in the main program begins it anew: it never ends by itself

@@ -46,6 +46,9 @@ check-notes = { $count } { $count ->
     }
 check-times = Time, min
 check-times-of = { $total } (feed { $feed }, rapid { $rapid }, dwell { $dwell }, tool change { $change })
+check-times-alone = feed { $feed }, dwell { $dwell }; rapids and tool changes are not counted: name a machine with --machine
+check-machine-assumed = no machine is named: { $machine } is taken, on which the language of { $control } is described
+check-name-machine = if it runs on another one, name that with --machine: its limits are other ones
 check-lathe-times = feed { $feed }, dwell { $dwell }; rapids and tool changes are not counted: name a lathe with --machine
 check-lathe-times-of = { $total } (feed { $feed }, rapid { $rapid }, dwell { $dwell }); tool changes and { $left } rapids of unknown length are not counted
 check-lathe-trace = Motions: line, motion, position (diameter, Z) in mm

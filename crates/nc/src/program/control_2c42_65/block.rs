@@ -20,6 +20,7 @@ use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Side, Turning}
 use crate::note::{Figure, IntoFigure, Note};
 use crate::program::brought::{Named, Open};
 use crate::program::limits::{Spans, speed_off_steps};
+use crate::program::stay::Stay;
 use crate::program::{Call, Fault, Setting, Subject, TextSpan};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
 
@@ -78,6 +79,11 @@ impl Maker<'_> {
         if !self.faults.iter().any(|reported| reported.code == fault.code && reported.span == fault.span) {
             self.faults.push(fault);
         }
+    }
+
+    /// Reports what is seen in a program by itself, and what a proof with the part says better.
+    pub(super) fn program_alone(&mut self, code: &'static str, span: TextSpan) {
+        self.tell_fault(Fault { of_program_alone: true, ..fault(code, span, self.block.number) });
     }
 
     /// Whether the block has an error, so that it is not carried out.
@@ -199,6 +205,9 @@ impl Maker<'_> {
                     self.flush();
                     let open = self.state.registers.ends();
                     self.never_came(open);
+                    if self.state.stay.is_in_cut(self.state.actual.z) {
+                        self.program_alone("ends-in-cut", function.span);
+                    }
                     self.push(Motion::End);
                     after = After::End;
                 }
@@ -246,8 +255,7 @@ impl Maker<'_> {
         if self.state.wanted == 0 {
             self.fault("no-tool", words.get('T').map_or(function.span, |tool| tool.span));
         }
-        let (x, y) = self.machine.tool_change_at;
-        let place = Position::of([x, y, self.machine.tool_change_z]);
+        let place = Position::of(self.machine.change_place());
         let actual = self.state.actual;
         if self.state.floating.iter().all(Option::is_none) && actual != place {
             let shown = |at: Position| crate::motion::trace::position(at);
@@ -261,6 +269,16 @@ impl Maker<'_> {
             self.fault("turning-at-change", function.span);
             self.spindle(Turning::Stopped);
         }
+        let floating = self.state.floating[Axis::Z.index()];
+        let low = self.state.stay.at_change(actual.z, floating).filter(|_| actual.z != place.z || floating.is_some());
+        if let Some(code) = low {
+            self.program_alone(code, function.span);
+        } else if self.state.changed_on_machine && floating.is_some() {
+            // The program shows by its other changes where they must be.
+            self.program_alone("change-not-withdrawn", function.span);
+        }
+        self.state.changed_on_machine |= floating.is_none() && self.state.height_known;
+        self.state.stay = Stay::comes(actual, floating);
         self.state.height_known = true;
         self.state.tool = self.state.wanted;
         self.state.registers.brings(self.state.wanted);

@@ -24,6 +24,6 @@ mod words;
 mod writer;
 
 pub use control::Control;
-pub use run::check_within;
+pub use run::{check_within, without_machine};
 pub(super) use text::{comma_places, decimal_comma, latin};
 pub use writer::write;

@@ -13,8 +13,9 @@ use super::words::BlockWords;
 use crate::machine::Machine;
 use crate::motion::{BlockRef, MotionStep, Sink};
 use crate::note::IntoFigure;
+
 use crate::program::running::{BlockOutcome, Running};
-use crate::program::{Call, Fault, Setting};
+use crate::program::{Call, Fault, Setting, TextSpan};
 
 /// Checks a program: its text, then its run. The steps of the run are output to the sink; the faults are returned,
 /// sorted by place; the run ends with an error after so many blocks and motions as `budget` says.
@@ -49,6 +50,11 @@ pub fn check_within<S: Sink>(
     }
     faults.sort_by_key(|fault| fault.span);
     faults
+}
+
+/// What a program is told without a machine: limits, tool change and step of this language are those of one.
+pub fn without_machine() -> Fault {
+    fault("machine-needed", TextSpan { line: 1, column: 1, width: 1 }, None)
 }
 
 struct ProgramRun<'a, S> {

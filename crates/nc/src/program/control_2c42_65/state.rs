@@ -7,6 +7,7 @@ use crate::program::Setting;
 use crate::program::brought::Registers;
 use crate::program::limits::Floating;
 use crate::program::setting::Before;
+use crate::program::stay::Stay;
 use crate::units::Micrometres;
 
 /// Groups of table 3.5 by their subject.
@@ -53,6 +54,10 @@ pub(super) struct ControlState {
     pub length_in_force: u32,
     /// Axes whose machine position is not known.
     pub floating: [Floating; 3],
+    /// Whether a tool was changed where Z stood at a position of the machine, and the program moves by zeros that are not set.
+    pub changed_on_machine: bool,
+    /// How the tool has stood since it came.
+    pub stay: Stay,
     /// The origin set by G92.
     pub origin: Position,
     /// Which of its axes are floating.
@@ -88,6 +93,8 @@ impl ControlState {
             length: (Axis::Z, Micrometres::ZERO),
             length_in_force: 0,
             floating: [None; 3],
+            changed_on_machine: false,
+            stay: Stay::comes(setting.start, None),
             origin: Position::default(),
             origin_floating: [None; 3],
             homed: [setting.homed; 3],

@@ -2,9 +2,11 @@
 
 use super::block::Maker;
 use super::correction::Trouble;
-use crate::motion::{Motion, MotionStep, Position, geometry};
+use super::state::PLANE;
+use crate::motion::{Axis, Motion, MotionStep, Position, geometry};
 use crate::program::TextSpan;
 use crate::program::limits::{AxisRanges, beyond_travel};
+use crate::program::stay::Stay;
 
 impl Maker<'_> {
     /// Adds a step at the position of the axes.
@@ -41,15 +43,32 @@ impl Maker<'_> {
             if matches!(step.motion, Motion::Rapid | Motion::Feed { .. } | Motion::Arc { .. }) {
                 let reached = geometry::reach(&step.motion, self.state.actual, at);
                 self.hold_in_travel(reached, span);
+                self.stays(index, span);
             }
             self.state.actual = at;
+        }
+    }
+
+    /// What a step shows of the heights of the tool. In another plane a tool stands across Z.
+    fn stays(&mut self, index: usize, span: TextSpan) {
+        let (from, to) = (self.state.actual, self.steps[index].at);
+        let ends = self.state.floating[Axis::Z.index()];
+        if self.state.groups[PLANE] != 17 {
+            self.state.stay = Stay::comes(to, ends);
+            return;
+        }
+        let zero =
+            self.state.corrected(Position::default().with(Axis::Z, self.state.origin_of(Axis::Z, self.setting).0)).z;
+        let motion = &self.steps[index].motion;
+        if let Some(code) = self.state.stay.moves(motion, (from, to), (ends, zero), self.state.turning) {
+            self.program_alone(code, span);
         }
     }
 
     /// An axis may not leave its travel (3.8.3).
     fn hold_in_travel(&mut self, reached: AxisRanges, span: TextSpan) {
         let (from, floating) = (self.state.actual, self.state.floating);
-        for (code, note) in beyond_travel(self.machine, reached, from, floating, self.spans) {
+        for (code, note) in beyond_travel(Some(self.machine), reached, from, floating, self.spans) {
             self.tell_note(code, span, note);
         }
     }

@@ -14,13 +14,15 @@ use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning, geome
 use crate::note::{Figure, IntoFigure, Note};
 use crate::program::brought::{Named, Open};
 use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
+use crate::program::stay::Stay;
 use crate::program::{Fault, Setting, Subject, TextSpan};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute};
 
 /// A block during its execution: its steps, made on a copy of the state.
 pub(super) struct Maker<'a> {
     pub control: &'a Control,
-    pub machine: &'a Machine<'a>,
+    /// None where nobody has named one: its limits are not checked then.
+    pub machine: Option<&'a Machine<'a>>,
     pub setting: &'a Setting,
     /// The copy.
     pub state: ControlState,
@@ -138,15 +140,15 @@ impl Maker<'_> {
         if let Some(feed) = self.take(words, 'F') {
             self.state.feed_user = User::Nobody;
             self.state.feed = feed.value() * if self.state.inches() && !by_time { 25.4 } else { 1.0 };
-            let limit = self.machine.feed_max.0;
-            if per_minute && self.state.feed > limit {
+            let limit = self.feed_most();
+            if let Some(limit) = limit.filter(|limit| per_minute && self.state.feed > *limit) {
                 self.report("feed-beyond-machine", feed.span, &[("limit", limit.into_figure())]);
             }
         }
         if let Some(speed) = self.take(words, 'S') {
             self.state.speed_user = User::Nobody;
             self.state.speed = speed.value();
-            if let Some((code, note)) = speed_off_steps(self.machine, self.state.speed) {
+            if let Some((code, note)) = self.machine.and_then(|machine| speed_off_steps(machine, self.state.speed)) {
                 self.fault(code, speed.span).note = note;
             }
             let starts = words.m.iter().any(|function| self.starts_spindle(*function));
@@ -160,8 +162,7 @@ impl Maker<'_> {
             let open = self.state.registers.names(self.state.wanted);
             self.never_came(open);
             self.state.tool_named = number != 0 || self.control.is(Q::ToolTakenOut);
-            let places = self.machine.magazine;
-            if number > places as i64 {
+            if let Some(places) = self.machine.map(|it| it.magazine).filter(|places| number > *places as i64) {
                 let fault = fault("tool-beyond-magazine", tool.span, self.block.number).with("tool", number);
                 let subject = Subject::Tool(usize::try_from(number).unwrap_or_default());
                 self.faults.push(fault.with("places", places).about(subject));
@@ -228,6 +229,9 @@ impl Maker<'_> {
                 Action::End => {
                     let open = self.state.registers.ends();
                     self.never_came(open);
+                    if self.state.stay.is_in_cut(self.state.at.z) {
+                        self.fault("ends-in-cut", function.span).of_program_alone = true;
+                    }
                     self.push(Motion::End);
                     after = After::End;
                 }
@@ -258,7 +262,7 @@ impl Maker<'_> {
             Action::OptionalStop if self.setting.optional_stop => self.stop(true, function.span),
             Action::ToolChange => self.tool_change(function),
             // The run looks up what is called; the words are used here.
-            Action::Call => {
+            Action::Call | Action::CallLocal => {
                 self.take(words, 'P');
                 self.take(words, 'L');
             }
@@ -312,17 +316,18 @@ impl Maker<'_> {
         if !self.state.tool_named {
             self.fault("no-tool", function.span);
         }
-        let (x, y) = self.machine.tool_change_at;
-        let place = Position::of([x, y, self.machine.tool_change_z]);
-        let at = self.state.at;
-        if self.state.floating.iter().all(Option::is_none) && at != place {
-            let shown = crate::motion::trace::position;
-            self.report(
-                "change-elsewhere",
-                function.span,
-                &[("at", shown(at).into_figure()), ("place", shown(place).into_figure())],
-            );
+        self.withdraws();
+        let floating = self.state.floating[Axis::Z.index()];
+        let low = self.state.stay.at_change(self.state.at.z, floating).filter(|_| !self.state.z_on_machine);
+        if let Some(code) = low {
+            self.fault(code, function.span).of_program_alone = true;
+        } else if self.state.changed_on_machine && !self.state.z_on_machine {
+            // The program shows by its other changes where they must be.
+            self.fault("change-not-withdrawn", function.span).of_program_alone = true;
         }
+        self.state.changed_on_machine |= self.state.z_on_machine;
+        self.state.stay = Stay::comes(self.state.at, floating);
+        self.change_elsewhere(function);
         if self.state.turning != Turning::Stopped {
             // By hand it is told as that.
             if self.control.changes_tools() {
@@ -340,6 +345,47 @@ impl Maker<'_> {
         self.state.tool = self.state.wanted;
         self.state.registers.brings(self.state.wanted);
         self.push(Motion::ToolChange { tool: self.state.wanted });
+    }
+
+    /// Where M6 brings Z to its place itself it does so first; where it does not, the tool must not stand where it cuts.
+    fn withdraws(&mut self) {
+        if self.control.is(Q::ChangeWithdraws) {
+            let up = self.machine.map_or(Micrometres::ZERO, |machine| machine.tool_change_z);
+            let (mut to, mut floating) = (self.state.at, self.state.floating);
+            to = to.with(Axis::Z, up);
+            floating[Axis::Z.index()] = None;
+            // Where the zero of Z is not known this is no way that can be measured.
+            if self.state.floating[Axis::Z.index()].is_none() {
+                self.go(Motion::Rapid, to, floating, self.span);
+            } else {
+                (self.state.at, self.state.floating) = (to, floating);
+                self.push(Motion::Rapid);
+            }
+            self.state.z_on_machine = true;
+        }
+    }
+
+    /// A change at another place than the machine asks for.
+    fn change_elsewhere(&mut self, function: Function) {
+        let Some(machine) = self.machine else { return };
+        let (at, place) = (self.state.at, machine.change_place());
+        let asked = machine.change_axes();
+        let known = asked.iter().all(|axis| self.state.floating[axis.index()].is_none());
+        if self.state.moved && known && asked.iter().any(|axis| at.get(*axis) != place[axis.index()]) {
+            let said = |position: &dyn Fn(Axis) -> Micrometres| {
+                asked.iter().map(|axis| format!("{}{}", axis.letter(), position(*axis))).collect::<Vec<_>>().join(" ")
+            };
+            let figures = [
+                ("at", said(&|axis| at.get(axis)).into_figure()),
+                ("place", said(&|axis| place[axis.index()]).into_figure()),
+            ];
+            self.report("change-elsewhere", function.span, &figures);
+        }
+    }
+
+    /// The greatest feed of the machine, mm/min, where one is named.
+    fn feed_most(&self) -> Option<f64> {
+        self.machine.map(|machine| machine.feed_max.0)
     }
 
     /// G4: P in the unit of the control; of some also X in seconds.
@@ -511,8 +557,8 @@ impl Maker<'_> {
         if feed <= 0.0 && !nowhere {
             self.fault("feed-zero", span);
         }
-        let limit = self.machine.feed_max.0;
-        if self.state.mode(Group::FeedMode).is_some_and(|mode| mode != 940) && feed > limit {
+        let by_mode = self.state.mode(Group::FeedMode).is_some_and(|mode| mode != 940);
+        if let Some(limit) = self.feed_most().filter(|limit| by_mode && feed > *limit) {
             self.report("feed-beyond-machine", span, &[("limit", limit.into_figure())]);
         }
         MillimetresPerMinute(feed)
@@ -540,7 +586,23 @@ impl Maker<'_> {
         {
             self.fault(code, span).note = note;
         }
+        self.state.z_on_machine &= from.z == to.z;
+        self.state.moved = true;
+        self.stays(&step.motion, from, span);
         self.steps.push(step);
+    }
+
+    /// What a motion to where the axes are now shows of the heights of the tool. A cycle along another axis says nothing of them.
+    fn stays(&mut self, motion: &Motion, from: Position, span: TextSpan) {
+        let (to, ends) = (self.state.at, self.state.floating[Axis::Z.index()]);
+        if self.state.mode(Group::Cycle).is_some() && self.state.mode(Group::Plane) != Some(170) {
+            self.state.stay = Stay::comes(to, ends);
+            return;
+        }
+        let zero = self.state.origin(Axis::Z, self.setting).0;
+        if let Some(code) = self.state.stay.moves(motion, (from, to), (ends, zero), self.state.turning) {
+            self.fault(code, span).of_program_alone = true;
+        }
     }
 
     /// A motion across the plane to a level.

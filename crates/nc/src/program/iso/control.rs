@@ -59,6 +59,8 @@ pub(super) struct Passed {
     pub goes_on: bool,
     /// Whether it changes no motion.
     pub harmless: bool,
+    /// Whether the ways are traced as they are written, near to those of the axes.
+    pub as_written: bool,
 }
 
 /// A comment that the control executes.
@@ -220,6 +222,16 @@ impl Control {
         self.yes.contains(&characteristic)
     }
 
+    /// Whether it has a radius compensation, carried out here or not, that another program may have left.
+    pub(super) fn corrects_radius(&self) -> bool {
+        self.g.contains_key(&410) || self.passed_g.contains_key(&410)
+    }
+
+    /// Whether the address is known, and not carried out here.
+    pub(super) fn passes_address(&self, address: char) -> bool {
+        self.passed_addresses.contains_key(&address) && !self.addresses.contains_key(&address)
+    }
+
     /// Whether it has a function for the tool change.
     pub(super) fn changes_tools(&self) -> bool {
         self.m.values().any(|function| function.action == Action::ToolChange)
@@ -277,6 +289,7 @@ impl Control {
                 whole: row.whole == Some(true),
                 goes_on: row.goes_on == Some(true),
                 harmless: row.harmless == Some(true),
+                as_written: row.as_written == Some(true),
             };
             let mut signs = row.word.chars();
             match (signs.next(), signs.next()) {

@@ -196,7 +196,7 @@ impl Maker<'_> {
     /// Whether the machine and its spindle permit the cycle.
     fn may_run(&mut self, cycle: &Cycle, span: TextSpan) -> bool {
         if cycle.bottom == Bottom::Reversed {
-            if !self.machine.can_tap {
+            if self.machine.is_some_and(|machine| !machine.can_tap) {
                 self.fault("cannot-tap", span);
             }
             if self.state.turning == Turning::Counterclockwise {
@@ -271,6 +271,10 @@ impl Maker<'_> {
         match cycle.bottom {
             Bottom::Turning => {}
             Bottom::Stopped => self.spindle(Turning::Stopped),
+            Bottom::Oriented => {
+                self.spindle(Turning::Stopped);
+                self.drawn_off(span);
+            }
             Bottom::Reversed if !back_first => self.spindle(Turning::Counterclockwise),
             Bottom::Reversed => {}
         }
@@ -286,6 +290,13 @@ impl Maker<'_> {
         if self.state.turning != before {
             self.spindle(before);
         }
+    }
+
+    /// The edge of a bar is drawn off the wall before the way out, by Q in a direction that is set in the control, or by I
+    /// and J; these ways of a few tenths and back are not traced. Without any the edge goes out along the wall.
+    fn drawn_off(&mut self, span: TextSpan) {
+        let by = ['Q', 'I', 'J'].into_iter().find(|address| self.parameter(*address).is_some_and(|way| way != 0));
+        self.fault(if by.is_some() { "shift-not-traced" } else { "shift-missing" }, span);
     }
 
     /// The travel to the bottom in steps of Q, without the last one.

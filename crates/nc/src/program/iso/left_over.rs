@@ -37,7 +37,7 @@ impl Maker<'_> {
             (Group::Cycle, "G80", true),
             (Group::Plane, "G17", cycle || arc),
             (Group::ArcDistance, "G91.1", arc && self.control.is(Q::ArcCentresAsSet)),
-            (Group::Radius, "G40", names(Axis::X) || names(Axis::Y)),
+            (Group::Radius, "G40", (names(Axis::X) || names(Axis::Y)) && self.control.corrects_radius()),
             // A position of the machine contains no length offset, and no zero of the operator.
             (Group::Length, "G49", names(Axis::Z) && !on_machine),
             (Group::System, "G54", !on_machine && words.one_shot(Effect::Return, self.control).is_none()),

@@ -177,9 +177,9 @@ impl Maker<'_> {
 
     /// The control resolves thousandths, perhaps finer than the machine. Inches are rounded anyway.
     fn finer_than_machine(&mut self, value: crate::units::Micrometres, span: TextSpan) {
-        let step = self.machine.resolution.micrometres().max(1);
-        if !self.state.inches() && value.micrometres() % step != 0 {
-            self.report("finer-than-machine", span, &[("step", self.machine.resolution.into_figure())]);
+        let Some(step) = self.machine.map(|machine| machine.resolution) else { return };
+        if !self.state.inches() && value.micrometres() % step.micrometres().max(1) != 0 {
+            self.report("finer-than-machine", span, &[("step", step.into_figure())]);
         }
     }
 
@@ -205,6 +205,7 @@ impl Maker<'_> {
         };
         self.go(motion, target.at, target.floating, span);
         self.state.lost = target.lost;
+        self.state.z_on_machine |= words.names(Axis::Z);
     }
 
     /// The second reference point: of the setting, or else, where the builder of the machine sets it, the place of its
@@ -212,8 +213,11 @@ impl Maker<'_> {
     fn second_point(&mut self, function: Function) -> Option<Position> {
         let known = self.setting.fixed_point;
         if known.is_none() && self.control.is(Q::ReturnNumber) {
-            let (x, y) = self.machine.tool_change_at;
-            let place = Position::of([x, y, self.machine.tool_change_z]);
+            let Some(machine) = self.machine else {
+                self.fault("fixed-point-not-given", function.span);
+                return Some(Position::default());
+            };
+            let place = Position::of(machine.change_place());
             let shown = crate::motion::trace::position(place).into_figure();
             self.report("fixed-point-assumed", function.span, &[("place", shown)]);
             return Some(place);
@@ -241,10 +245,12 @@ impl Maker<'_> {
         }
         self.go(Motion::Rapid, through.at, through.floating, function.span);
         let (mut at, mut floating) = (through.at, through.floating);
-        for axis in if named.is_empty() { Axis::ALL.to_vec() } else { named } {
+        let named = if named.is_empty() { Axis::ALL.to_vec() } else { named };
+        for axis in named.iter().copied() {
             at = at.with(axis, goal.get(axis));
             floating[axis.index()] = None;
         }
         self.go(Motion::Rapid, at, floating, function.span);
+        self.state.z_on_machine |= named.contains(&Axis::Z);
     }
 }

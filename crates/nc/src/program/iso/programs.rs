@@ -54,6 +54,14 @@ pub(super) fn programs(blocks: &[Block], words: &[BlockWords], control: &Control
     programs.main = 0..second.filter(|_| !control.is(Q::OWords)).unwrap_or(blocks.len());
     subs(blocks, &mut programs, faults);
     programs.jumps = owords::jumps(blocks, faults);
+    for (block, words) in blocks.iter().zip(words) {
+        let Some(call) = call(block, words, control).filter(|call| call.name.starts_with('N')) else { continue };
+        let begins = |other: &Block| other.number.is_some_and(|number| local_name(number) == call.name);
+        if let Some(start) = blocks.iter().position(begins) {
+            let end = starts.iter().copied().find(|next| *next > start).unwrap_or(blocks.len());
+            programs.named.entry(call.name).or_insert(start..end);
+        }
+    }
     // A name that could not be read may be the called one; a number may be that of the call.
     let headless = blocks.iter().any(|block| block.unread && block.words.is_empty() && block.label.is_none());
     for (block, words) in blocks.iter().zip(words) {
@@ -111,10 +119,17 @@ fn subs(blocks: &[Block], programs: &mut Programs, faults: &mut Vec<Fault>) {
     }
 }
 
-/// M98 of a block.
+/// M98 or M97 of a block.
 pub(super) fn calls(words: &BlockWords, control: &Control) -> Option<Function> {
-    let call = |function: &&Function| control.m.get(&function.code).is_some_and(|it| it.action == Action::Call);
+    let call = |function: &&Function| {
+        control.m.get(&function.code).is_some_and(|it| matches!(it.action, Action::Call | Action::CallLocal))
+    };
     words.m.iter().find(call).copied()
+}
+
+/// The name of what M97 calls: the blocks from that number on.
+fn local_name(number: impl std::fmt::Display) -> String {
+    format!("N{number}")
 }
 
 /// What a block calls: `o… call`, or M98 with P and L.
@@ -124,11 +139,16 @@ pub(super) fn call(block: &Block, words: &BlockWords, control: &Control) -> Opti
     if let Some(Label::Call(name)) = &block.label {
         return Some(Call { name: name.clone(), repeats: 1, span: block.span });
     }
-    calls(words, control)?;
+    let function = calls(words, control)?;
+    let local = control.m.get(&function.code).is_some_and(|it| it.action == Action::CallLocal);
     let program = words.get('P')?;
     let number = program.millionths / 1_000_000;
     let times = words.get('L').map(|given| given.millionths / 1_000_000);
-    let (number, packed) =
-        if control.is(Q::RepeatsInP) && number > 9999 { (number % 10_000, number / 10_000) } else { (number, 1) };
-    Some(Call { name: number.to_string(), repeats: times.unwrap_or(packed), span: program.span })
+    let (number, packed) = if control.is(Q::RepeatsInP) && !local && number > 9999 {
+        (number % 10_000, number / 10_000)
+    } else {
+        (number, 1)
+    };
+    let name = if local { local_name(number) } else { number.to_string() };
+    Some(Call { name, repeats: times.unwrap_or(packed), span: program.span })
 }

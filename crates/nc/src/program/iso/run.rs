@@ -14,8 +14,10 @@ use super::values::{self, Seen, Values};
 use super::words::{ADDRESSES, BlockWords};
 use crate::machine::Machine;
 use crate::motion::{BlockRef, Motion, MotionStep, Sink};
+use crate::note::Severity;
 use crate::program::expression::Expression;
 use crate::program::running::{BlockOutcome, Running};
+use crate::program::setting::Before;
 use crate::program::{Fault, Setting, Subject, TextSpan};
 
 /// Checks a program: its text, then its run. The steps of the run are output to the sink; the faults are returned,
@@ -27,7 +29,7 @@ pub fn check_within<S: Sink>(
     budget: usize,
     text: &str,
     control: &Control,
-    machine: &Machine<'_>,
+    machine: Option<&Machine<'_>>,
     setting: &Setting,
     sink: &mut S,
 ) -> Vec<Fault> {
@@ -52,7 +54,11 @@ pub fn check_within<S: Sink>(
             running: Running::new(sink, fault, control.habits.clone().under(setting), budget),
         };
         run.main();
-        faults.extend(run.running.finish(blocks.first().map(|block| block.span).unwrap_or_default()));
+        let first = blocks.first().map(|block| block.span).unwrap_or_default();
+        if machine.is_none() {
+            run.running.report(fault("machine-not-named", first, None));
+        }
+        faults.extend(run.running.finish(first));
     }
     faults.sort_by_key(|fault| fault.span);
     once(faults)
@@ -61,7 +67,7 @@ pub fn check_within<S: Sink>(
 /// What is not carried out is told at its first place, with how often it stands in the program.
 fn once(faults: Vec<Fault>) -> Vec<Fault> {
     let key = |fault: &Fault| {
-        let known = matches!(fault.code, "not-carried-out" | "passed-over" | "macro-not-run");
+        let known = matches!(fault.code, "not-carried-out" | "traced-as-written" | "passed-over" | "macro-not-run");
         let word = match &fault.subject {
             // Of a macro every word says the same.
             Some(Subject::Function(word)) if fault.code != "macro-not-run" => word.clone(),
@@ -85,7 +91,7 @@ struct ProgramRun<'a, S> {
     words: &'a [BlockWords],
     programs: &'a Programs,
     control: &'a Control,
-    machine: &'a Machine<'a>,
+    machine: Option<&'a Machine<'a>>,
     setting: &'a Setting,
     /// Whether a second `%` closes the text, which also ends a LinuxCNC program.
     closed: bool,
@@ -155,7 +161,13 @@ impl<S: Sink> ProgramRun<'_, S> {
         }
         let calculated = self.calculated(block, depth);
         let words = calculated.as_ref().unwrap_or(words);
-        words.told.iter().cloned().for_each(|fault| self.running.report(fault));
+        for mut fault in words.told.iter().cloned() {
+            // A proof holds the motions of the axes, and these are not known then.
+            if fault.code == "traced-as-written" && self.setting.before == Before::OtherPrograms {
+                fault.severity = Severity::Wrong;
+            }
+            self.running.report(fault);
+        }
         let mut maker = self.maker(block, depth);
         let after = maker.make(words);
         let Maker { state, steps, faults, .. } = maker;

@@ -11,6 +11,7 @@ use crate::program::Setting;
 use crate::program::brought::Registers;
 use crate::program::limits::Floating;
 use crate::program::setting::Before;
+use crate::program::stay::Stay;
 use crate::units::Micrometres;
 
 /// The function in force in every group.
@@ -96,6 +97,14 @@ pub(super) struct ControlState {
     pub lost: [f64; 3],
     /// Axes whose machine position is not known.
     pub floating: [Floating; 3],
+    /// Whether the program has moved any axis: before that they stand where nobody knows.
+    pub moved: bool,
+    /// Whether Z was last brought to a position of the machine.
+    pub z_on_machine: bool,
+    /// Whether a tool was changed there.
+    pub changed_on_machine: bool,
+    /// How the tool has stood since it came.
+    pub stay: Stay,
 }
 
 impl ControlState {
@@ -129,6 +138,10 @@ impl ControlState {
             at: setting.start,
             lost: [0.0; 3],
             floating: [None; 3],
+            moved: false,
+            z_on_machine: false,
+            changed_on_machine: false,
+            stay: Stay::comes(setting.start, None),
         };
         for code in &control.power_on {
             if let Some(function) = control.g.get(code).filter(|function| function.effect != Effect::CycleOff) {

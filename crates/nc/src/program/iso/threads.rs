@@ -29,7 +29,7 @@ impl Maker<'_> {
 
     /// The feed of a pitch, mm; none, and told, where there is no pitch or the spindle stands.
     fn by_turns(&mut self, pitch: Option<f64>, span: TextSpan) -> Option<Motion> {
-        if !self.machine.can_tap {
+        if self.machine.is_some_and(|machine| !machine.can_tap) {
             self.fault("cannot-tap", span);
         }
         if self.state.turning == Turning::Stopped {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::control::{Characteristic as Q, Control, Effect, Group};
+use super::control::{Characteristic as Q, Control, Effect, Group, Passed};
 use super::rules::{fault, word_fault};
 use super::text::{Block, Word};
 use crate::motion::Axis;
@@ -197,7 +197,11 @@ impl BlockWords {
             {
                 name.push_str(&format!(" {by}{}", given.millionths / 1_000_000));
             }
-            let code = if passed.harmless { "passed-over" } else { "not-carried-out" };
+            let code = match passed {
+                Passed { harmless: true, .. } => "passed-over",
+                Passed { as_written: true, .. } => "traced-as-written",
+                _ => "not-carried-out",
+            };
             self.told.push(word_fault(code, word.span, None, name));
             self.passes_on |= passed.goes_on;
             for address in passed.takes.iter().copied().chain(Some(word.address)) {

@@ -272,11 +272,23 @@ impl Maker<'_> {
         }
     }
 
+    /// M0 holds the program, and hands may come near the chuck: LinuxCNC leaves the spindle turning, of the others the builder of
+    /// the machine says. M1 holds only where the operator wants it.
+    fn stop(&mut self, span: TextSpan, always: bool) {
+        if always && self.state.turning != Turning::Stopped {
+            let leaves = self.is(LatheReader::LinuxCnc);
+            self.report(if leaves { "stop-turning" } else { "stop-turning-maybe" }, span);
+        }
+    }
+
     /// Stop, return and end.
     pub fn after_motion(&mut self, words: &BlockWords) -> After {
         for function in &words.functions {
             match function.effect {
-                WordEffect::Stop => self.put_here(LatheAct::Stop),
+                WordEffect::Stop => {
+                    self.stop(function.span, function.code == "M0");
+                    self.put_here(LatheAct::Stop);
+                }
                 WordEffect::End => {
                     self.state.turning = Turning::Stopped;
                     self.put_here(LatheAct::End);

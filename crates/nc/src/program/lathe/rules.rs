@@ -45,6 +45,8 @@ pub(super) const RULES: &[Rule] = &[
     ("spindle-without-speed", Error, "spindle"),
     ("feed-without-spindle", Error, "spindle"),
     ("feed-zero", Error, "spindle"),
+    ("stop-turning", Wrong, "spindle"),
+    ("stop-turning-maybe", Doubtful, "spindle"),
     ("lathe-no-limit", Wrong, "spindle"),
     ("lathe-limit-without-speed", Error, "spindle"),
     ("lathe-thread-at-cutting-speed", Doubtful, "spindle"),

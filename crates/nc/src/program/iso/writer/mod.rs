@@ -72,7 +72,7 @@ pub fn write(job: &Job, control: &Control, form: Form) -> WrittenProgram {
             let place = Some(work_ref);
             for pause in &work.pauses {
                 sheet.main.push((
-                    MainLine::Remarked(Block::new().m(0), remark(*pause, &work.designation)),
+                    MainLine::Remarked(Block::new().m(0), remark(*pause, work)),
                     LineRole::Pause,
                     place,
                     None,
@@ -109,11 +109,12 @@ fn named(work: &ToolWork) -> String {
 }
 
 /// What the operator does, in letters that every control can show.
-fn remark(pause: Pause, designation: &str) -> String {
+fn remark(pause: Pause, work: &ToolWork) -> String {
+    let designation = ascii(&work.designation);
     match pause {
-        Pause::LoadTool { tool, place } => format!("LOAD TOOL {tool} INTO PLACE {place}: {}", ascii(designation)),
+        Pause::LoadTool { tool, place } => format!("LOAD TOOL {tool} INTO PLACE {place}: {designation}"),
         Pause::TurnOver => "TURN THE PART OVER ABOUT Y".to_owned(),
-        Pause::SetBar { diameter_mm } => format!("SET THE BAR TO D{diameter_mm}"),
+        Pause::SetBar { diameter_mm } => format!("SET THE BAR OF T{}, {designation}, TO D{diameter_mm}", work.tool),
     }
 }
 
