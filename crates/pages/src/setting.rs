@@ -8,12 +8,12 @@ use crate::document::{Block, Column, Document, Inlines, Keep, Table};
 use crate::job::{Job, Left, Pause, SetUp, Unfinished};
 use crate::knowledge::Knowledge;
 use crate::note::Severity;
-use crate::plan::{Clamping, Plan, ToolPlan};
+use crate::plan::{Clamping, Held, Plan, ToolPlan};
 use crate::program::Setting;
 
 /// The file of the setting, which `check` reads. Everything but its figures is in its comments.
 pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
-    let set_ups = job.setups.iter().map(|setup| stand(setup, lang));
+    let set_ups = job.setups.iter().flat_map(|setup| stand(setup, plan, lang));
     let tools = plan.tools.iter().map(|tool| {
         say!(
             lang,
@@ -41,7 +41,7 @@ pub fn page(
     lang: Lang,
 ) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "setting-title", part = job.part.as_str()));
-    let stands = job.setups.iter().map(|setup| stand(setup, lang));
+    let stands = job.setups.iter().flat_map(|setup| stand(setup, plan, lang));
     let lines = unfinished(job, lang).into_iter().chain(stands).chain(clamps(plan, job, lang));
     page.push(Block::List(lines.map(|line| Inlines::sentence(&line).into()).collect()));
     page.push(tools(setting, plan, job, lang));
@@ -123,14 +123,28 @@ fn unfinished(job: &Job, lang: Lang) -> Vec<String> {
     job.unfinished.iter().map(line).collect()
 }
 
-fn stand(setup: &SetUp, lang: Lang) -> String {
-    say!(lang, "setting-stand", setup = setup.number, supports = setup.supports, nose = setup.nose)
+/// The knee, where the part lies in a set-up, and what its bars are set to.
+fn stand(setup: &SetUp, plan: &Plan, lang: Lang) -> Vec<String> {
+    let (number, nose) = (setup.number, setup.nose);
+    // What lies under the part in a vice is told with the vice.
+    let held = plan.held(number);
+    let mut lines = vec![match held {
+        Held::Vice(_) => say!(lang, "setting-stand-vice", setup = number, nose = nose),
+        _ => say!(lang, "setting-stand", setup = number, supports = setup.supports, nose = nose),
+    }];
+    if let Some(stand) = plan.setup.stands.iter().find(|stand| stand.set_up == number) {
+        let turned = super::sheet::turned_over(stand, plan, lang).filter(|_| !matches!(held, Held::Vice(_)));
+        lines.extend(turned);
+        lines.extend(super::sheet::stops(stand, plan, lang));
+        lines.extend(stand.bars.iter().map(|bar| super::sheet::bar_set(bar, lang)));
+    }
+    lines
 }
 
 /// The vice or the fixture of the file; or the clamps of each set-up, and what their screws lack.
 fn clamps(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
     if let Some(vice) = &plan.setup.vice {
-        let held = plan.setup.stands.iter().map(|stand| super::sheet::in_vice(vice, stand, lang));
+        let held = plan.setup.stands.iter().map(|stand| super::sheet::in_vice(vice, stand, plan, lang));
         let marked = vice.because.iter().any(|because| because.unconfirmed.is_some());
         return held.chain(marked.then(|| say!(lang, "setting-mark").to_owned())).collect();
     }

@@ -16,12 +16,15 @@ use super::{Doubts, Lang};
 
 mod chains;
 mod conditions;
+mod pins;
 pub(crate) mod route;
 mod set_up;
 mod tools;
 
 pub(super) use conditions::section as conditions;
-pub(crate) use set_up::{in_vice, less, less_radii, own_fixture, section as set_up};
+pub(crate) use set_up::{
+    bar_set, in_vice, less, less_radii, once, own_fixture, section as set_up, stops, turned_over, zero_sums,
+};
 pub(crate) use tools::named;
 pub(super) use tools::{corrections, tools};
 

@@ -140,9 +140,6 @@ pub fn plan_by(
     let second = if vice.is_none() { setup::second_clamping(part, &holes, &shop)? } else { (None, Vec::new()) };
     let (second_clamping, of_second) = second;
     findings.extend(of_second);
-    let held = setup::held_by(part, vice.as_ref(), clamping.as_ref());
-    let setup::Chains { zeros, chains, findings: of_chains } = setup::chains(part, &holes, held, &shop)?;
-    findings.extend(of_chains);
     let own = setup::own(part, &holes, &shop)?;
     let visits = sequence::sequence(part, &holes, &shop.machine, None);
     let visiting = sequence::visiting::visiting(part, &holes, &shop, &mut findings)?;
@@ -160,16 +157,22 @@ pub fn plan_by(
         holes,
         tools,
         clamping,
-        setup: Setup { vice, second_clamping, own, zeros, chains, ..Setup::default() },
+        setup: Setup { vice, second_clamping, own, ..Setup::default() },
         sequence: visits,
         visiting,
         time: Times::default(),
         findings,
     };
+    let held = setup::held_by(plan.held(1));
+    let setup::Chains { zeros, chains, findings: of_chains } = setup::chains(part, &plan.holes, held, &shop)?;
+    (plan.setup.zeros, plan.setup.chains) = (zeros, chains);
+    plan.findings.extend(of_chains);
     sequence::timed(&mut plan, &shop)?;
     // Every plan is checked by the proof, however it was chosen.
     plan.findings.extend(technolog_proof::prove(&plan, &shop)?);
-    plan.setup.fixture = setup::fixture(&plan, &shop)?;
+    let (fixture, of_fixture) = setup::fixture(&plan, &shop)?;
+    plan.setup.fixture = fixture;
+    plan.findings.extend(of_fixture);
     unconfirmed(&mut plan);
     Finding::in_order(&mut plan.findings);
     Ok(plan)

@@ -100,6 +100,23 @@ plan-vice = Set-up { $setup }: vice { $vice }, jaws along { $axis }, opened to {
 plan-on-parallels = on parallels { $height } mm high and { $thickness } mm thick at most
 plan-on-ways = on the ways
 plan-vice-grips = The jaws grip { $grip } mm and end { $below } mm below the face; for hole { $hole } they press with { $force } N, and the vice gives { $gives } N.
+plan-vice-stop = Its { $jaw } side lies against the fixed jaw, its { $side } side against an end stop.
+plan-stops = Push it against stops: two at its { $long } side, one at its { $short } side.
+plan-stops-one = Push it against two stops at its { $long } side.
+plan-once = They are found once: every further part lies against the same stops.
+plan-once-pins = They are found once: every further part sits on the same pins.
+plan-zero-by-pin = { $frame }: bring the spindle over the round pin with an indicator and read xM, yM: X = xM{ $right }, Y = yM{ $back }; about X{ $x } Y{ $y }.
+plan-turned = Turn the part over for set-up { $setup } about its line along Y: left and right change places, the front side stays in front, and the face of set-up 1 lies down. Made already: { $made }; now from the other face: { $now }.
+plan-turned-first = Lay the part for set-up { $setup } with the first face of the drawing down, turned about its line along Y: left and right change places, the front side stays in front. Made now: { $now }.
+plan-bar-before = T{ $tool }: set its bar to Ø{ $diameter } ({ $holes }) before the program begins.
+plan-bar-at-stop = T{ $tool }: where the program stops before { $holes }, set its bar to Ø{ $diameter }.
+plan-loading = While the part is loaded and clamped, the spindle stands at the far left from you, X{ $x } Y{ $y } of the drawing, at least { $distance } mm from every clamp (1.11): drive there by hand.
+plan-loading-beyond = At the far left from you, { $distance } mm from every clamp (1.11), is X{ $x } Y{ $y } of the drawing, { $beyond } mm beyond the travel along X: fixed stops must limit the turn of the wrench.
+plan-pin-round = Round pin { $standard } at { $at }: Ø{ $diameter }{ $field } ({ $upper }; { $lower }) in the hole Ø{ $hole }, clearance { $least } to { $most } mm.
+plan-pin-cut = Cut pin { $standard } at { $at }: Ø{ $diameter }{ $field } ({ $upper }; { $lower }) in the hole Ø{ $hole }, clearance { $least } to { $most } mm; its lands, { $land } mm wide, hold across the line to the round pin.
+plan-pin-cut-alone = Cut pin { $standard } at { $at }: Ø{ $diameter }{ $field } ({ $upper }; { $lower }) in the hole Ø{ $hole }, clearance { $least } to { $most } mm; its lands, { $land } mm wide, hold along { $axis }.
+plan-pin-pair = The pins are { $apart } mm apart. Every part goes on them while the tolerances of this distance, of the pins and of the holes together, are no wider than { $together } mm; the hole farthest from the round pin is turned aside by { $turned } mm at most.
+plan-locating-error-pins = It costs { $least } to { $most } mm from part to part, the clearance of the round pin.
 plan-knee = Knee: { $nose } mm from the table to the spindle nose with the ram up.
 plan-zero-by-sides = { $frame }: touch the { $side } and the { $end } side with an arbor Ø d and read xM, yM: X = xM{ $right }, Y = yM{ $back }; about X{ $x } Y{ $y }.
 plan-side-left = left
