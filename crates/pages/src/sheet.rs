@@ -168,7 +168,7 @@ pub(super) fn clamps_of(clamping: &Clamping, part: &Part, lang: Lang) -> String 
             .with("length", strap.length_mm)
             .with("height", strap.height_mm),
     };
-    [said, lang.say(&straps)].join(" ")
+    [&said, &lang.say(&straps), lang.word("plan-studs")].join(" ")
 }
 
 /// That the screw does not bear its share.

@@ -102,7 +102,8 @@ forms! {
         pub height: Option<Size>,
         /// The clamps; without them a symmetric pair is proposed.
         pub clamps: Option<Vec<Clamp>>,
-        /// One or two finished holes of the blank that pins of the fixture enter in the first set-up.
+        /// One or two finished holes of the blank that pins of the fixture enter in the first set-up; `height` is then needed, with
+        /// the plate that they stand in.
         #[schemars(length(min = 1, max = 2))]
         pub pins: Option<Vec<PinHole>>,
         /// What else stands over the face, and the clamps of the second set-up.

@@ -31,6 +31,10 @@ impl Reader<'_> {
             let help = note!("part-keep-one-them");
             self.problems.error_help::<()>("bad-value", note!("part-own-fixture-and-clamps"), &own.place, help);
         }
+        if let (Some(pins), None) = (pins, height) {
+            let help = note!("part-pins-say-height");
+            self.problems.error_help::<()>("missing-key", note!("part-pins-need-height"), &pins.place, help);
+        }
         pinned.extend(pins.map(|node| self.pins(node)).unwrap_or_default());
         let obstacles = obstacles.map(|node| self.obstacles(node)).unwrap_or_default();
         let mut clamps = Vec::new();

@@ -25,7 +25,8 @@ pub use chain::{Chain, ChainError, ChainTerm, PartZero};
 pub use order::{Mixture, Stop, Times, ToolVisit, Visiting};
 pub use route::{Achieved, Alternative, AlternativeStep, Feature, Route, RouteSource};
 pub use set_up::{
-    BarSetting, FixturePlan, Held, Loading, LocatingPin, OtherZero, OwnFixture, PinPair, Setup, Stand, Strap, Touched, Vice,
+    BarSetting, FixturePlan, Held, Loading, LocatingPin, OtherZero, OwnFixture, PinPair, Setup, Stand, Strap, Touched,
+    Vice,
 };
 
 /// What holds cutting conditions back.

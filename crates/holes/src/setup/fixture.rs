@@ -46,7 +46,7 @@ pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<(Option<FixturePlan>, Vec
     }
     let held = held_by(plan.held(1));
     let stiff = !technolog_proof::plate_springs(plan, shop)?;
-    let ask = FixtureKindFor { held, stiff, family: false };
+    let ask = FixtureKindFor { held, stiff, family: false, pins: !plan.part.fixture.pins.is_empty() };
     let answer = shop.knowledge.ask(&ask)?;
     let kind = answer.need(held.name())?.kind;
     let mut because = vec![Because::answer(&answer.answer, Note::new("fixture-kind"))];

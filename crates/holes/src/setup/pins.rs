@@ -56,11 +56,7 @@ pub(super) fn pins(part: &Part, locating: PartLocating, shop: &Shop<'_>) -> Resu
 }
 
 /// The pin of a hole with its row; none where no pin of the table is that thick.
-fn pin(
-    kind: PinKind,
-    hole: &PinHole,
-    shop: &Shop<'_>,
-) -> Result<Option<(LocatingPin, Because)>, KnowledgeError> {
+fn pin(kind: PinKind, hole: &PinHole, shop: &Shop<'_>) -> Result<Option<(LocatingPin, Because)>, KnowledgeError> {
     let diameter = hole.diameter.nominal;
     let answer = match shop.knowledge.ask(&LocatingPinFor { kind, diameter }) {
         Err(KnowledgeError::Query(QueryError::OutOfDomain { .. })) => return Ok(None),

@@ -94,12 +94,7 @@ impl InVice<'_, '_> {
     }
 
     /// The part in that vice with its jaws along that axis, or the inequality that fails.
-    fn held(
-        &self,
-        row: &MachineVice<'_>,
-        jaws: Along,
-        shop: &Shop<'_>,
-    ) -> Result<Result<Vice, Note>, KnowledgeError> {
+    fn held(&self, row: &MachineVice<'_>, jaws: Along, shop: &Shop<'_>) -> Result<Result<Vice, Note>, KnowledgeError> {
         let blank = &self.part.blank;
         let (along, between) = match jaws {
             Along::X => (blank.length, blank.width),

@@ -86,7 +86,13 @@ impl Keys<'_> {
             let keyed = self.step(Stage::Value, note.with("about_x", about_x).with("about_y", about_y))?;
             // The first zero stays where stops or pins put every part; another one is found at a side that no stop holds.
             let often = if frame == stand.frame { crate::sheet::once(stand, plan) } else { Some("keys-each-part") };
-            steps.push([Some(keyed.as_str()), often.map(|code| self.lang.word(code))].into_iter().flatten().collect::<Vec<_>>().join(". "));
+            steps.push(
+                [Some(keyed.as_str()), often.map(|code| self.lang.word(code))]
+                    .into_iter()
+                    .flatten()
+                    .collect::<Vec<_>>()
+                    .join(". "),
+            );
             let tool = stand.reference_tool.map_or_else(String::new, |tool| format!(" T{tool}"));
             let note = |code: &'static str| {
                 Note::new(code)

@@ -1,6 +1,6 @@
 //! The pins that locate a part, in words.
 
-use crate::note::{Figure, Note};
+use crate::note::{Figure, IntoFigure, Note};
 use crate::part::{Along, Part};
 use crate::plan::{FixturePlan, LocatingPin, PinKind};
 
@@ -33,7 +33,8 @@ fn pin(pin: &LocatingPin, fixture: &FixturePlan, part: &Part, lang: Lang) -> Str
         .with("least", least)
         .with("most", most);
     let hole = part.fixture.pins.iter().find(|hole| hole.at == pin.at);
-    let note = note.with("hole", hole.map_or_else(|| Figure::Text("".into()), |hole| Figure::Text(hole.diameter.to_string().into())));
+    let note =
+        note.with("hole", hole.map_or_else(|| Figure::Text("".into()), |hole| hole.diameter.clone().into_figure()));
     lang.say(&match pin.kind {
         PinKind::Round => note,
         PinKind::Cut => {

@@ -5,7 +5,8 @@ use crate::document::Document;
 use crate::note::{Figure, Note};
 use crate::part::{Along, Face, Part};
 use crate::plan::{
-    BarSetting, Clamping, FixturePlan, Held, OtherZero, OwnFixture, PartLocating, Plan, Stand, Touched, Vice,
+    BarSetting, Clamping, FixtureKind, FixturePlan, Held, HeldBy, OtherZero, OwnFixture, PartLocating, Plan, Stand,
+    Touched, Vice,
 };
 use crate::units::Micrometres;
 
@@ -36,7 +37,12 @@ pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
 /// The kind of fixture, its place on the table, and the part in it.
 fn kind(fixture: &FixturePlan, lang: Lang) -> String {
     let said = |code: String| lang.say(&Note::new(code));
-    let mut sentences = vec![said(format!("plan-fixture-{}-{}", fixture.fixture_kind.name(), fixture.held.name()))];
+    // Straps hold the part on a plate made for it, because the table has no holes for pins.
+    let on_pins = matches!((fixture.fixture_kind, fixture.held), (FixtureKind::Special, HeldBy::Straps));
+    let mut sentences = vec![match on_pins && !fixture.pins.is_empty() {
+        true => said("plan-fixture-special-pins".to_owned()),
+        false => said(format!("plan-fixture-{}-{}", fixture.fixture_kind.name(), fixture.held.name())),
+    }];
     sentences.extend(fixture.keying.map(|keying| said(format!("plan-keying-{}", keying.name()))));
     let play = fixture.keying_play_mm.map(|play| lang.say(&Note::new("plan-keying-play").with("play", play)));
     sentences.extend(play);
@@ -56,6 +62,7 @@ fn kind(fixture: &FixturePlan, lang: Lang) -> String {
 /// The part on supports against its stops, and its clamps.
 fn on_table(held: Held<'_>, stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
     let key = match plan.part.fixture.height {
+        Some(_) if stand.set_up == 1 && !plan.part.fixture.pins.is_empty() => "plan-on-plate",
         Some(_) => "plan-supports-given",
         None if stand.height_mm > Micrometres::ZERO => "plan-supports-assumed",
         None => "plan-supports-none",
@@ -83,18 +90,15 @@ fn on_table(held: Held<'_>, stand: &Stand, plan: &Plan, lang: Lang) -> Vec<Strin
 /// How the part is turned over for a later set-up, what is made of it already, and what is made now.
 pub(crate) fn turned_over(stand: &Stand, plan: &Plan, lang: Lang) -> Option<String> {
     let named = |holes: &[String]| Figure::list(holes.iter().map(|name| Figure::called(name)));
-    let before: Vec<String> = plan.setup.stands.iter().filter(|one| one.set_up < stand.set_up).fold(
-        Vec::new(),
-        |mut all, one| {
+    let before: Vec<String> =
+        plan.setup.stands.iter().filter(|one| one.set_up < stand.set_up).fold(Vec::new(), |mut all, one| {
             all.extend(one.holes.iter().filter(|hole| !all.contains(hole)).cloned().collect::<Vec<_>>());
             all
-        },
-    );
+        });
     let note = Note::new(if before.is_empty() { "plan-turned-first" } else { "plan-turned" });
     let note = note.with("setup", stand.set_up).with("now", named(&stand.holes));
-    (stand.face == Face::Back).then(|| {
-        lang.say(&if before.is_empty() { note } else { note.with("made", named(&before)) })
-    })
+    (stand.face == Face::Back)
+        .then(|| lang.say(&if before.is_empty() { note } else { note.with("made", named(&before)) }))
 }
 
 /// The side of the part, as it lies, that is touched along an axis.
@@ -237,9 +241,9 @@ pub(crate) fn once(stand: &Stand, plan: &Plan) -> Option<&'static str> {
 /// What is added to the readings xM, yM for the zero of a set-up.
 pub(crate) fn zero_sums(stand: &Stand, plan: &Plan) -> [String; 2] {
     match plan.zero_pin(stand.set_up) {
-        Some(pin) => [pin.at.x, pin.at.y].map(|length| {
-            if length == Micrometres::ZERO { String::new() } else { less(length) }
-        }),
+        Some(pin) => {
+            [pin.at.x, pin.at.y].map(|length| if length == Micrometres::ZERO { String::new() } else { less(length) })
+        }
         None => less_radii(stand.sides_mm, stand.touched),
     }
 }
