@@ -21,8 +21,9 @@ pub(super) fn stands(plan: &Plan, job: &Job, shop: &Shop<'_>) -> Result<Vec<Stan
     let mut stands = Vec::new();
     for setup in &job.setups {
         let bars = bars(setup, &mut set);
-        let loading = loading(plan, setup, &shop.machine, &screws);
-        stands.push(Stand { bars, loading, ..stand(plan, job, setup, &shop.machine) });
+        let stand = stand(plan, job, setup, &shop.machine);
+        let loading = loading(plan, setup, stand.start, &shop.machine, &screws);
+        stands.push(Stand { bars, loading, ..stand });
     }
     Ok(stands)
 }
@@ -106,7 +107,13 @@ fn bars(setup: &SetUp, set: &mut Vec<(u32, Micrometres)>) -> Vec<BarSetting> {
 
 /// The point at the far left from the worker, who stands before the table: left of everything that stands there and behind it, as
 /// far as Y reaches, and so far to the left that every clamp is as far away as a wrench on its nut and a hand need (textbook 1.11).
-fn loading(plan: &Plan, setup: &SetUp, machine: &Machine<'_>, screws: &[ClampScrew<'_>]) -> Option<Loading> {
+fn loading(
+    plan: &Plan,
+    setup: &SetUp,
+    start: Point,
+    machine: &Machine<'_>,
+    screws: &[ClampScrew<'_>],
+) -> Option<Loading> {
     let (part, clamping) = (&plan.part, plan.clamping_of(setup.number)?);
     // Each clamp of the file may have a screw of its own.
     let needed = |index: usize| {
@@ -131,9 +138,11 @@ fn loading(plan: &Plan, setup: &SetUp, machine: &Machine<'_>, screws: &[ClampScr
     };
     let x = clamps.clone().map(aside).fold(left, Micrometres::min);
     let at = Point { x, y };
+    let start_is_safe = clamps.clone().all(|(clamp, needed)| start.distance(clamp) >= needed);
     let (_, safe_mm) = clamps.min_by_key(|(clamp, needed)| at.distance(*clamp) - *needed)?;
     let beyond = least - (setup.zero.x + x);
-    Some(Loading { at, safe_mm, beyond_mm: Some(beyond).filter(|beyond| *beyond > Micrometres::ZERO) })
+    let beyond_mm = Some(beyond).filter(|beyond| *beyond > Micrometres::ZERO);
+    Some(Loading { at, safe_mm, beyond_mm, start_is_safe })
 }
 
 /// The sides that an arbor touches for a zero, and how far they are from the zero of the drawing, as the part lies.

@@ -102,8 +102,11 @@ fn the_spindle_stands_at_the_far_left_while_the_part_is_loaded() {
     assert_eq!((loading.safe_mm, loading.beyond_mm), (Micrometres::from_mm(157), None));
     let long = text("fixture: {clamps: [{at: [-480, 80], screw: M10}, {at: [480, 80], screw: M10}]}", &[HOLE]);
     let long = planned(&read(&long.replace("length: 300", "length: 1000")), CuttingMethod::Formula);
-    assert_eq!(long.setup.stands[0].loading.unwrap().beyond_mm, Some(Micrometres::from_mm(136)));
-    assert!(shown(&long).contains("136 mm beyond the travel along X"), "{}", shown(&long));
+    let loading = long.setup.stands[0].loading.unwrap();
+    // The place of the tool change, X0 Y196, is far from both: no stops are asked for.
+    assert_eq!((loading.beyond_mm, loading.start_is_safe), (Some(Micrometres::from_mm(136)), true));
+    assert!(shown(&long).contains("136 mm beyond the travel along X: while the part is loaded"), "{}", shown(&long));
+    assert!(!shown(&long).contains("fixed stops"), "{}", shown(&long));
 }
 
 /// What a setter cannot guess: where the stops stand, which jaw is fixed, about which line the part is turned, what is made already.

@@ -278,6 +278,8 @@ pub struct Loading {
     /// From where the axis X ends to that point, mm; absent where the axes reach it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub beyond_mm: Option<Micrometres>,
+    /// Whether the place of the tool change is as far from every clamp, so that the spindle may stay there.
+    pub start_is_safe: bool,
 }
 
 /// A boring bar set to a diameter.

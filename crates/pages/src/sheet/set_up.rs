@@ -256,7 +256,11 @@ fn start(stand: &Stand, lang: Lang) -> String {
         .start_to_clamp_mm
         .map(|away| lang.say(&Note::new("plan-start-to-clamp").with("away", rounded(away.to_mm(), 0))));
     let loading = stand.loading.map(|loading| {
-        let note = Note::new(if loading.beyond_mm.is_some() { "plan-loading-beyond" } else { "plan-loading" });
+        let note = Note::new(match (loading.beyond_mm, loading.start_is_safe) {
+            (None, _) => "plan-loading",
+            (Some(_), true) => "plan-loading-at-start",
+            (Some(_), false) => "plan-loading-beyond",
+        });
         let note = note.with("x", loading.at.x).with("y", loading.at.y).with("distance", loading.safe_mm);
         lang.say(&match loading.beyond_mm {
             Some(beyond) => note.with("beyond", beyond),

@@ -112,6 +112,7 @@ plan-bar-before = T{ $tool }: set its bar to Ø{ $diameter } ({ $holes }) before
 plan-bar-at-stop = T{ $tool }: where the program stops before { $holes }, set its bar to Ø{ $diameter }.
 plan-loading = While the part is loaded and clamped, the spindle stands at the far left from you, X{ $x } Y{ $y } of the drawing, at least { $distance } mm from every clamp (1.11): drive there by hand.
 plan-loading-beyond = At the far left from you, { $distance } mm from every clamp (1.11), is X{ $x } Y{ $y } of the drawing, { $beyond } mm beyond the travel along X: fixed stops must limit the turn of the wrench.
+plan-loading-at-start = The far left from you (1.11), X{ $x } Y{ $y } of the drawing, is { $beyond } mm beyond the travel along X: while the part is loaded and clamped, the spindle stands where the tool changes, which is { $distance } mm from every clamp and more.
 plan-pin-round = Round pin { $standard } at { $at }: Ø{ $diameter }{ $field } ({ $upper }; { $lower }) in the hole { $hole }, clearance { $least } to { $most } mm.
 plan-pin-cut = Cut pin { $standard } at { $at }: Ø{ $diameter }{ $field } ({ $upper }; { $lower }) in the hole { $hole }, clearance { $least } to { $most } mm; its lands, { $land } mm wide, hold across the line to the round pin.
 plan-pin-cut-alone = Cut pin { $standard } at { $at }: Ø{ $diameter }{ $field } ({ $upper }; { $lower }) in the hole { $hole }, clearance { $least } to { $most } mm; its lands, { $land } mm wide, hold along { $axis }.
