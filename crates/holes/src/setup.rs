@@ -2,12 +2,14 @@
 //!
 //! - `hold`: whether the places of the clamps hold it against turning and tipping;
 //! - `fixture`: its kind, and how table, fixture and part are located;
+//! - `pins`: the pins of a part that lies on holes;
 //! - `vice`: a vice, where clamps find no place;
 //! - `chains`: zeros by the dimensions of the drawing, and whether their chains close.
 
 mod chains;
 mod fixture;
 mod hold;
+mod pins;
 mod vice;
 
 use crate::error::KnowledgeError;
@@ -141,8 +143,9 @@ pub fn vice_instead(
     shop: &Shop<'_>,
 ) -> Result<Option<Vice>, KnowledgeError> {
     // Of a file without clamps there is no other finding.
-    let Fixture { clamps, obstacles, .. } = &part.fixture;
-    if !clamps.is_empty() || !obstacles.is_empty() || findings.is_empty() {
+    let Fixture { clamps, obstacles, pins, .. } = &part.fixture;
+    // Jaws and pins would each put the part where the other does not.
+    if !clamps.is_empty() || !obstacles.is_empty() || !pins.is_empty() || findings.is_empty() {
         return Ok(None);
     }
     match vice(part, holes, shop)? {
@@ -184,7 +187,7 @@ pub fn own(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Option<Ow
 }
 
 pub use chains::{Chains, chains};
-pub use fixture::{fixture, held_by};
+pub use fixture::{fixture, held_by, locating};
 pub use vice::vice;
 
 /// The force that a transition needs, by the formula that asks for more.

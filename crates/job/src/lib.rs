@@ -85,7 +85,7 @@ fn frame(zero: usize) -> u8 {
 /// The knowledge base has no answer.
 pub fn tell(plan: &mut Plan, job: &Job, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
     timed(plan, job, shop)?;
-    plan.setup.stands = stand::stands(plan, job, &shop.machine);
+    plan.setup.stands = stand::stands(plan, job, shop)?;
     let new: Vec<Finding> = job.of_plan.iter().filter(|finding| !plan.findings.contains(finding)).cloned().collect();
     plan.findings.extend(new);
     Ok(())
@@ -154,6 +154,9 @@ pub struct ToolWork {
     pub ground_from_mm: Option<Micrometres>,
     /// What the operator has to do before it.
     pub pauses: Vec<Pause>,
+    /// The diameter that the bar of a boring tool is set to; none for other tools.
+    #[serde(skip)]
+    pub bar_mm: Option<Micrometres>,
     /// Whether the coolant flows.
     pub coolant: bool,
     /// Why, where a rule decided it.

@@ -1,12 +1,12 @@
 //! Makes the job of a plan.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::KnowledgeError;
 use crate::motion::Position;
 use crate::note::{Finding, Severity};
 use crate::part::{Face, Point};
-use crate::plan::{PartZero, Plan, ToolPlan, ToolVisit, Transition};
+use crate::plan::{Plan, ToolPlan, ToolVisit, Transition};
 use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
@@ -27,7 +27,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
     let machine = &shop.machine;
     let (mut findings, mut asked) = (Vec::new(), Vec::new());
     let mut setups = Vec::new();
-    let mut frames = 0;
+    let (mut frames, mut bars) = (0, Bars::of(plan));
     // The tool in each place; the first loading is done before the program begins.
     let mut magazine: BTreeMap<u32, u32> = plan
         .tools
@@ -37,9 +37,8 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         .collect();
     for (number, face) in [(1, Face::Entry), (2, Face::Back)] {
         let mut works = Vec::new();
-        let zeros = zeros_of(plan, number);
         let first = frames;
-        frames += zeros.len().max(1);
+        frames += plan.zeros_of(number).len().max(1);
         for (index, visit) in plan.sequence.iter().enumerate().filter(|(_, visit)| visit.setup == number) {
             let Some(tool) = plan.tools.iter().find(|tool| tool.number == visit.tool) else { continue };
             let mut pauses = Vec::new();
@@ -50,10 +49,12 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
             if magazine.insert(place, tool.number) != Some(tool.number) {
                 pauses.push(Pause::LoadTool { tool: tool.number, place });
             }
-            for (zero, visit) in by_zero(visit, zeros).into_iter().enumerate().filter(|(_, one)| !one.stops.is_empty())
-            {
+            let stops = plan.by_zero(visit).into_iter().enumerate().filter(|(_, stops)| !stops.is_empty());
+            for (zero, stops) in stops {
+                let visit = ToolVisit { stops: stops.into_iter().cloned().collect(), ..visit.clone() };
                 let pauses = std::mem::take(&mut pauses);
-                works.extend(rounds((index, &visit, frame(first + zero)), tool, place, pauses, plan, shop)?);
+                let own = (index, &visit, frame(first + zero));
+                works.extend(rounds(own, tool, place, (pauses, &mut bars), plan, shop)?);
             }
         }
         if works.is_empty() {
@@ -94,21 +95,30 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
     })
 }
 
-/// The zeros of a set-up, where it has several; the second set-up has one, at the sides of the first.
-fn zeros_of(plan: &Plan, number: u32) -> &[PartZero] {
-    if number == 1 { &plan.setup.zeros } else { &[] }
+/// What the bars of boring tools are set to, by tool.
+struct Bars {
+    /// All settings of each over the whole job: a bar with one is set before the program begins.
+    all: BTreeMap<u32, BTreeSet<Micrometres>>,
+    /// What each is set to now.
+    now: BTreeMap<u32, Micrometres>,
 }
 
-/// What a visit does from each zero. The tool stays in the spindle.
-fn by_zero(visit: &ToolVisit, zeros: &[PartZero]) -> Vec<ToolVisit> {
-    let of = |zero: usize| {
-        let stops = visit.stops.iter().filter(|stop| {
-            let own = zeros.iter().position(|zero| zero.holes.contains(&stop.hole));
-            own.unwrap_or_default() == zero
-        });
-        ToolVisit { stops: stops.cloned().collect(), ..visit.clone() }
-    };
-    (0..zeros.len().max(1)).map(of).collect()
+impl Bars {
+    fn of(plan: &Plan) -> Self {
+        let mut all: BTreeMap<u32, BTreeSet<Micrometres>> = BTreeMap::new();
+        for visit in &plan.sequence {
+            let transitions = visit.stops.iter().filter_map(|stop| transition_of(plan, &stop.hole, stop.transition));
+            let settings = transitions.flat_map(|one| (1..=one.passes.max(1)).filter_map(|pass| setting(one, pass)));
+            all.entry(visit.tool).or_default().extend(settings);
+        }
+        Self { all, now: BTreeMap::new() }
+    }
+
+    /// Sets the bar of a tool; whether the program has to stop for it.
+    fn set(&mut self, tool: u32, diameter: Micrometres) -> bool {
+        let before = self.now.insert(tool, diameter);
+        before != Some(diameter) && self.all.get(&tool).is_some_and(|all| all.len() > 1)
+    }
 }
 
 /// The place of a tool in its loading of the magazine, from 1.
@@ -122,7 +132,7 @@ fn rounds(
     (number, visit, frame): (usize, &ToolVisit, u8),
     tool: &ToolPlan,
     place: u32,
-    pauses: Vec<Pause>,
+    (pauses, bars): (Vec<Pause>, &mut Bars),
     plan: &Plan,
     shop: &Shop<'_>,
 ) -> Result<Vec<ToolWork>, KnowledgeError> {
@@ -134,11 +144,10 @@ fn rounds(
             settings.entry(setting(transition, pass)).or_default().push((index, pass));
         }
     }
-    let several = settings.len() > 1;
     let mut pauses = pauses;
     let mut works = Vec::new();
     for (setting, stops) in settings {
-        if let Some(diameter_mm) = setting.filter(|_| several) {
+        if let Some(diameter_mm) = setting.filter(|diameter| bars.set(tool.number, *diameter)) {
             pauses.push(Pause::SetBar { diameter_mm });
         }
         let first = stops.first().and_then(|(index, _)| visit.stops.get(*index));
@@ -157,6 +166,7 @@ fn rounds(
             also_diameter_mm: also,
             ground_from_mm: tool.ground_from_mm,
             pauses: std::mem::take(&mut pauses),
+            bar_mm: setting,
             coolant: false,
             because: Vec::new(),
             cycles: Vec::new(),

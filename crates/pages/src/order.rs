@@ -23,7 +23,7 @@ pub fn part_page(plan: &Plan, home: Point, not_kept: &[Finding], lang: Lang) -> 
     }
     let paths = plan.sequence.iter().map(|visit| {
         let mut before = None;
-        let apart = visit.stops.iter().filter(|stop| before.replace(stop.at) != Some(stop.at));
+        let apart = plan.by_zero(visit).into_iter().flatten().filter(|stop| before.replace(stop.at) != Some(stop.at));
         let apart: Vec<&Stop> = apart.collect();
         Field::new(format!("T{}", visit.tool), stops(apart, lang))
     });

@@ -7,13 +7,12 @@ use super::words::say;
 use crate::document::{Block, Column, Document, Inlines, Keep, Table};
 use crate::job::{Job, Left, Pause, SetUp, Unfinished};
 use crate::knowledge::Knowledge;
-use crate::note::Severity;
-use crate::plan::{Clamping, Plan, ToolPlan};
+use crate::note::{Because, Severity};
+use crate::plan::{Held, Plan, ToolPlan};
 use crate::program::Setting;
 
 /// The file of the setting, which `check` reads. Everything but its figures is in its comments.
 pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
-    let set_ups = job.setups.iter().map(|setup| stand(setup, lang));
     let tools = plan.tools.iter().map(|tool| {
         say!(
             lang,
@@ -25,8 +24,7 @@ pub fn file(setting: &Setting, plan: &Plan, job: &Job, lang: Lang) -> String {
             length = tool.length_mm
         )
     });
-    let clamps = clamps(plan, job, lang);
-    let remarks = unfinished(job, lang).into_iter().chain(set_ups).chain(clamps).chain(tools);
+    let remarks = unfinished(job, lang).into_iter().chain(set_ups(plan, job, lang)).chain(tools);
     let remarks = remarks.chain([say!(lang, "setting-lengths").to_owned()]).chain(loads(job, lang));
     let remarks: String = remarks.map(|line| format!("# {line}\n")).collect();
     remarks + &setting.to_yaml()
@@ -41,8 +39,7 @@ pub fn page(
     lang: Lang,
 ) -> Document {
     let mut page = Document::new(lang.tag(), say!(lang, "setting-title", part = job.part.as_str()));
-    let stands = job.setups.iter().map(|setup| stand(setup, lang));
-    let lines = unfinished(job, lang).into_iter().chain(stands).chain(clamps(plan, job, lang));
+    let lines = unfinished(job, lang).into_iter().chain(set_ups(plan, job, lang));
     page.push(Block::List(lines.map(|line| Inlines::sentence(&line).into()).collect()));
     page.push(tools(setting, plan, job, lang));
     page.heading(2, say!(lang, "setting-zeros"));
@@ -123,43 +120,65 @@ fn unfinished(job: &Job, lang: Lang) -> Vec<String> {
     job.unfinished.iter().map(line).collect()
 }
 
-fn stand(setup: &SetUp, lang: Lang) -> String {
-    say!(lang, "setting-stand", setup = setup.number, supports = setup.supports, nose = setup.nose)
-}
-
-/// The vice or the fixture of the file; or the clamps of each set-up, and what their screws lack.
-fn clamps(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
-    if let Some(vice) = &plan.setup.vice {
-        let held = plan.setup.stands.iter().map(|stand| super::sheet::in_vice(vice, stand, lang));
-        let marked = vice.because.iter().any(|because| because.unconfirmed.is_some());
-        return held.chain(marked.then(|| say!(lang, "setting-mark").to_owned())).collect();
-    }
-    if let Some(own) = &plan.setup.own {
-        return vec![super::sheet::own_fixture(own, lang)];
-    }
-    let marked = |clamping: &Clamping| clamping.because.iter().any(|because| because.unconfirmed.is_some());
-    let mut lines = Vec::new();
-    for setup in &job.setups {
-        let Some(clamping) = plan.clamping_of(setup.number) else {
-            lines.push(match setup.number {
-                1 => say!(lang, "plan-no-clamping").to_owned(),
-                number => say!(lang, "setting-clamps-of-second", setup = number),
-            });
-            continue;
-        };
-        let clamps = super::sheet::clamps_of(clamping, &plan.part, lang);
-        lines.push(match setup.number {
-            1 => clamps,
-            number => say!(lang, "setting-of-set-up", setup = number, clamps = clamps),
-        });
-        if clamping.screw_bears_n.0 < clamping.force_per_clamp_n.0 {
-            lines.push(super::sheet::weak_screw(clamping, lang));
-        }
-    }
-    if plan.clamping.iter().chain(&plan.setup.second_clamping).any(marked) {
-        lines.push(say!(lang, "setting-mark").to_owned());
+/// The knee, where the part lies in a set-up, and what its bars are set to.
+fn stand(setup: &SetUp, plan: &Plan, lang: Lang) -> Vec<String> {
+    let (number, nose) = (setup.number, setup.nose);
+    // What lies under the part in a vice is told with the vice.
+    let held = plan.held(number);
+    let mut lines = vec![match held {
+        Held::Vice(_) => say!(lang, "setting-stand-vice", setup = number, nose = nose),
+        _ => say!(lang, "setting-stand", setup = number, supports = setup.supports, nose = nose),
+    }];
+    if let Some(stand) = plan.setup.stands.iter().find(|stand| stand.set_up == number) {
+        let turned = super::sheet::turned_over(stand, plan, lang).filter(|_| !matches!(held, Held::Vice(_)));
+        lines.extend(turned);
+        lines.extend(super::sheet::stops(stand, plan, lang));
+        lines.extend(stand.bars.iter().map(|bar| super::sheet::bar_set(bar, lang)));
     }
     lines
+}
+
+/// What holds the part in a set-up, and what its screws lack.
+fn held(setup: &SetUp, plan: &Plan, lang: Lang) -> Vec<String> {
+    let number = setup.number;
+    match plan.held(number) {
+        Held::Vice(vice) => {
+            let stand = plan.setup.stands.iter().filter(|stand| stand.set_up == number);
+            stand.map(|stand| super::sheet::in_vice(vice, stand, plan, lang)).collect()
+        }
+        // It holds the part in both set-ups, and is told once.
+        Held::Own(own) if number == 1 => vec![super::sheet::own_fixture(own, lang)],
+        Held::Own(_) => Vec::new(),
+        Held::Straps(clamping) => {
+            let clamps = super::sheet::clamps_of(clamping, &plan.part, lang);
+            let clamps = match number {
+                1 => clamps,
+                number => say!(lang, "setting-of-set-up", setup = number, clamps = clamps),
+            };
+            let weak = clamping.screw_bears_n.0 < clamping.force_per_clamp_n.0;
+            std::iter::once(clamps).chain(weak.then(|| super::sheet::weak_screw(clamping, lang))).collect()
+        }
+        Held::Nothing if number == 1 => vec![say!(lang, "plan-no-clamping").to_owned()],
+        Held::Nothing => vec![say!(lang, "setting-clamps-of-second", setup = number)],
+    }
+}
+
+/// Set-up by set-up what a setter does before the tools; then what a mark means, where there is one.
+fn set_ups(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
+    let lines = job.setups.iter().flat_map(|setup| {
+        let mut lines = stand(setup, plan, lang);
+        lines.extend(held(setup, plan, lang));
+        lines
+    });
+    let marked = job.setups.iter().any(|setup| {
+        let because: &[Because] = match plan.held(setup.number) {
+            Held::Vice(vice) => &vice.because,
+            Held::Straps(clamping) => &clamping.because,
+            Held::Own(_) | Held::Nothing => &[],
+        };
+        because.iter().any(|because| because.unconfirmed.is_some())
+    });
+    lines.chain(marked.then(|| say!(lang, "setting-mark").to_owned())).collect()
 }
 
 /// The magazine place of a tool.

@@ -16,12 +16,15 @@ use super::{Doubts, Lang};
 
 mod chains;
 mod conditions;
+mod pins;
 pub(crate) mod route;
 mod set_up;
 mod tools;
 
 pub(super) use conditions::section as conditions;
-pub(crate) use set_up::{in_vice, less, less_radii, own_fixture, section as set_up};
+pub(crate) use set_up::{
+    bar_set, in_vice, less, less_radii, once, own_fixture, section as set_up, stops, turned_over, zero_sums,
+};
 pub(crate) use tools::named;
 pub(super) use tools::{corrections, tools};
 
@@ -165,7 +168,7 @@ pub(super) fn clamps_of(clamping: &Clamping, part: &Part, lang: Lang) -> String 
             .with("length", strap.length_mm)
             .with("height", strap.height_mm),
     };
-    [said, lang.say(&straps)].join(" ")
+    [&said, &lang.say(&straps), lang.word("plan-studs")].join(" ")
 }
 
 /// That the screw does not bear its share.

@@ -4,7 +4,7 @@ use technolog_knowledge::contract::{Named, Use};
 use technolog_knowledge::units::{Brinell, ItGrade, Megapascals, Micrometres, Newtons};
 use technolog_knowledge::{rows, vocabulary};
 
-use crate::rules::TableKeying;
+use crate::rules::{PinKind, TableKeying};
 
 vocabulary! {
     /// A constant of clamping or of tool travel.
@@ -39,6 +39,18 @@ rows! {
         name: Named<'t, SettingErrorOf>,
         least: Micrometres,
         most: Micrometres,
+        over: Option<Micrometres>,
+    }
+
+    /// Pins that locate a part by a hole of it.
+    pub struct LocatingPinRow of One("locating-pins") asked by LocatingPinFor {
+        kind: PinKind,
+        diameter: Micrometres,
+    } {
+        standard: &'t str,
+        field: &'t str,
+        grade: ItGrade,
+        land: Option<Micrometres>,
     }
 
     /// Fits of what keys a fixture to the table.

@@ -161,6 +161,7 @@ rows! {
         held: HeldBy,
         stiff: bool,
         family: bool,
+        pins: bool,
     } {
         kind: FixtureKind,
     }

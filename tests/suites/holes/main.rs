@@ -18,6 +18,7 @@ mod extremes;
 mod floors;
 mod given;
 mod laws;
+mod located;
 mod many_holes;
 mod mistakes;
 mod order;

@@ -99,6 +99,7 @@ fn the_clamps_hold_a_milled_part_against_sliding() {
     assert_eq!(clamping.screw, "M16");
     assert_eq!(clamping.because[0].note.code(), "clamping-pushes");
     let page = technolog_testing::pages::shown(&sheet::page(&plan, &KNOWLEDGE, Doubts::Counted, Lang::EN));
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(page.contains("W = k·P/(f + f2) = 14455 N"), "{page}");
 }
 

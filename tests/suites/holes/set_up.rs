@@ -1,7 +1,8 @@
 //! The set-up of a part: on the table, within reach, held.
 
 use technolog::note::{Finding, Severity};
-use technolog::plan::{CuttingMethod, FixtureKind, HeldBy, JawsAlong, PartLocating, Plan, TableKeying, Touched};
+use technolog::part::Along;
+use technolog::plan::{CuttingMethod, FixtureKind, HeldBy, PartLocating, Plan, TableKeying, Touched};
 use technolog::report::{Doubts, Lang, sheet};
 use technolog::units::Micrometres;
 use technolog_testing::{KNOWLEDGE, planned, read};
@@ -105,7 +106,7 @@ fn a_part_without_a_place_for_straps_is_put_into_a_vice() {
     assert!(found(&small, "no-place-for-clamps").is_none());
     let vice = small.setup.vice.as_ref().unwrap();
     assert_eq!(vice.designation, "Kurt DX6 (D688)");
-    assert_eq!(vice.jaws_along, JawsAlong::X);
+    assert_eq!(vice.jaws_along, Along::X);
     let figures = [vice.opened_mm, vice.grip_mm, vice.below_face_mm].map(Micrometres::to_mm);
     assert_eq!(figures, [50.0, 26.07, 3.93]);
     assert_eq!(vice.parallels_mm, Some(Micrometres::from_mm(18)));

@@ -8,7 +8,7 @@ use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::Problems;
 use crate::units::Micrometres;
 
-use super::{Blank, Datum, Hole, Point};
+use super::{Blank, Datum, Hole, PinHole, Point};
 
 /// A section of a hole with one diameter; depths are measured from the entry face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,6 +112,37 @@ pub(super) fn check_clamps(
         if let Some(group) = under {
             let message = note!("part-clamp-at-presses-on-hole", x = point.x, y = point.y, label = group.label());
             problems.error_help::<()>("clamp-on-hole", message, place, note!("part-put-beside-hole"));
+        }
+    }
+}
+
+/// Checks that the holes of pins lie in the blank, clear of each other and of the holes that are made: seen from above, as what
+/// is drilled through comes out at the face that the pins stand on.
+pub(super) fn check_pins(
+    pins: &[(PinHole, Place)],
+    groups: &[Group],
+    blank: &Blank,
+    datum: &Datum,
+    problems: &mut Problems,
+) {
+    for (index, (pin, place)) in pins.iter().enumerate() {
+        let (at, radius) = (pin.at, pin.diameter.nominal.half());
+        if reaches_out(at, radius, blank, datum) {
+            let message = note!("part-pin-at-inside-blank", x = at.x, y = at.y, diameter = pin.diameter.nominal);
+            problems.error_help::<()>("outside-blank", message, place, extent(blank, datum));
+        }
+        let made = groups.iter().find_map(|group| {
+            let needed = radius + group.widest()?.half();
+            group.points.iter().any(|(hole, _)| hole.distance(at) < needed).then(|| group.label())
+        });
+        if let Some(label) = made {
+            let message = note!("part-pin-at-meets-hole", x = at.x, y = at.y, label = label);
+            problems.error_help::<()>("holes-meet", message, place, note!("part-pins-take-finished-holes"));
+        }
+        let earlier = pins.iter().take(index);
+        if earlier.into_iter().any(|(other, _)| other.at.distance(at) < radius + other.diameter.nominal.half()) {
+            let message = note!("part-pins-meet", x = at.x, y = at.y);
+            problems.error_help::<()>("holes-meet", message, place, note!("part-pins-far-apart"));
         }
     }
 }

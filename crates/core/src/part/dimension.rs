@@ -49,8 +49,10 @@ pub enum Side {
 #[serde(rename_all = "kebab-case")]
 pub enum Along {
     /// Along the table.
+    #[serde(alias = "X")]
     X,
     /// Across the table.
+    #[serde(alias = "Y")]
     Y,
 }
 

@@ -102,12 +102,24 @@ forms! {
         pub height: Option<Size>,
         /// The clamps; without them a symmetric pair is proposed.
         pub clamps: Option<Vec<Clamp>>,
+        /// One or two finished holes of the blank that pins of the fixture enter in the first set-up; `height` is then needed, with
+        /// the plate that they stand in.
+        #[schemars(length(min = 1, max = 2))]
+        pub pins: Option<Vec<PinHole>>,
         /// What else stands over the face, and the clamps of the second set-up.
         pub obstacles: Option<Vec<Obstacle>>,
         /// How high over the face tools go from hole to hole, mm; else 15, and higher over what is in the way.
         pub retract: Option<Size>,
         /// The name of a fixture of the shop's own that holds the part: then neither clamps nor a vice are planned.
         pub own: Option<Name>,
+    }
+
+    /// A finished hole of the blank that takes a pin.
+    pub struct PinHole {
+        /// Its axis, `[X, Y]`, mm: on the blank, and clear of the holes that are made.
+        pub at: [Coordinate; 2],
+        /// Its diameter with its tolerance: `12H7`.
+        pub diameter: hole::Diameter,
     }
 
     /// Something that stands over the face.
@@ -269,7 +281,7 @@ blank: {kind: plate, length: 500, width: 300, thickness: 40.5}
 machine: gf2171
 datum: {x: left, y: 150, z: top}
 entry: rough
-fixture: {height: 60, clamps: [{at: [250, -130], screw: М10}, {at: [250, 130]}]}
+fixture: {height: 60, clamps: [{at: [250, -130], screw: М10}, {at: [250, 130]}], pins: [{at: [20, 100], diameter: 12H7}]}
 position_tolerance: 0.1
 mass: 46.5
 dimensions:

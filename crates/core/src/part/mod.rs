@@ -108,6 +108,9 @@ pub struct Fixture {
     pub height: Option<Micrometres>,
     /// The clamps; none: a symmetric pair is proposed.
     pub clamps: Vec<Clamp>,
+    /// The finished holes of the blank that pins of the fixture enter in the first set-up: none, one or two.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pins: Vec<PinHole>,
     /// What else stands over the face.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub obstacles: Vec<Obstacle>,
@@ -117,6 +120,15 @@ pub struct Fixture {
     /// The name of a fixture of the shop's own that holds the part.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub own: Option<String>,
+}
+
+/// A finished hole of the blank, by which a pin locates the part.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct PinHole {
+    /// Its axis.
+    pub at: Point,
+    /// Its diameter with its tolerance.
+    pub diameter: ToleratedDiameter,
 }
 
 /// Something that stands over the face of the part.

@@ -76,9 +76,9 @@ impl Reader<'_> {
             }
             _ => None,
         };
-        let mut clamps = Vec::new();
+        let (mut clamps, mut pins) = (Vec::new(), Vec::new());
         let fixture = match fixture_node {
-            Some(node) => self.fixture(node, &mut clamps),
+            Some(node) => self.fixture(node, &mut clamps, &mut pins),
             None => Some(Fixture::default()),
         };
         let groups = holes_node.map(|node| self.groups(node, blank.as_ref())).unwrap_or_default();
@@ -86,6 +86,7 @@ impl Reader<'_> {
         if let (Some(blank), Some(datum)) = (&blank, &datum) {
             check::check_geometry(&groups, blank, datum, self.problems);
             check::check_clamps(&clamps, &groups, blank, datum, self.problems);
+            check::check_pins(&pins, &groups, blank, datum, self.problems);
         }
         let dimensions = dimensions_node.map(|node| self.dimensions(node, &groups)).unwrap_or_default();
         let (material, material_state) = material?;

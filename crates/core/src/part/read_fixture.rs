@@ -5,17 +5,23 @@ use technolog_note::note;
 use super::file;
 use super::limits::LimitedCount;
 use super::read::Reader;
-use super::{Clamp, Fixture, Obstacle, Point};
+use super::{Clamp, Fixture, Obstacle, PinHole, Point};
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::Node;
 use crate::tables::materials::ClampScrew;
 
 impl Reader<'_> {
-    /// Reads the fixture; the points of the clamps are added to `placed` with their places.
-    pub(super) fn fixture(&mut self, node: &Node, placed: &mut Vec<(Point, Place)>) -> Option<Fixture> {
+    /// Reads the fixture; the points of the clamps are added to `placed` with their places, and the holes of pins to `pinned`.
+    pub(super) fn fixture(
+        &mut self,
+        node: &Node,
+        placed: &mut Vec<(Point, Place)>,
+        pinned: &mut Vec<(PinHole, Place)>,
+    ) -> Option<Fixture> {
         let mut fields = self.problems.map(node)?;
         let height = self.size(&mut fields, file::Fixture::height);
         let clamps_node = fields.take(file::Fixture::clamps);
+        let pins = fields.take(file::Fixture::pins);
         let obstacles = fields.take(file::Fixture::obstacles);
         let retract = self.size(&mut fields, file::Fixture::retract);
         let own_node = fields.take(file::Fixture::own);
@@ -25,6 +31,11 @@ impl Reader<'_> {
             let help = note!("part-keep-one-them");
             self.problems.error_help::<()>("bad-value", note!("part-own-fixture-and-clamps"), &own.place, help);
         }
+        if let (Some(pins), None) = (pins, height) {
+            let help = note!("part-pins-say-height");
+            self.problems.error_help::<()>("missing-key", note!("part-pins-need-height"), &pins.place, help);
+        }
+        pinned.extend(pins.map(|node| self.pins(node)).unwrap_or_default());
         let obstacles = obstacles.map(|node| self.obstacles(node)).unwrap_or_default();
         let mut clamps = Vec::new();
         let nodes = clamps_node.and_then(|node| self.problems.list(node)).unwrap_or_default();
@@ -39,7 +50,27 @@ impl Reader<'_> {
             fields.finish(self.problems);
             clamps.extend(at.map(|at| Clamp { at, screw, height, outline }));
         }
-        Some(Fixture { height, clamps, obstacles, retract, own })
+        let pins = pinned.iter().map(|(pin, _)| pin.clone()).collect();
+        Some(Fixture { height, clamps, pins, obstacles, retract, own })
+    }
+
+    /// One or two holes of pins: a third pin would hold what two hold already.
+    fn pins(&mut self, node: &Node) -> Vec<(PinHole, Place)> {
+        let nodes = self.problems.list(node).unwrap_or_default();
+        if !(1..=2).contains(&nodes.len()) {
+            let message = note!("part-one-or-two-pins", count = nodes.len());
+            self.problems.error::<()>("bad-value", message, &node.place);
+            return Vec::new();
+        }
+        let mut pins = Vec::new();
+        for node in nodes {
+            let Some(mut fields) = self.problems.map(node) else { continue };
+            let at = fields.need(file::PinHole::at, self.problems).and_then(|node| self.point(node));
+            let diameter = fields.need(file::PinHole::diameter, self.problems).and_then(|node| self.diameter(node));
+            fields.finish(self.problems);
+            pins.extend(at.zip(diameter).map(|(at, diameter)| (PinHole { at, diameter }, node.place.clone())));
+        }
+        pins
     }
 
     fn obstacles(&mut self, node: &Node) -> Vec<Obstacle> {

@@ -20,11 +20,14 @@ mod route;
 mod set_up;
 
 pub use crate::knowledge::vocabulary::{CuttingMethod, Operation};
-pub use crate::tables::rules::{ChainClosing, FixtureKind, HeldBy, PartLocating, TableKeying, VisitingMethod};
+pub use crate::tables::rules::{ChainClosing, FixtureKind, HeldBy, PartLocating, PinKind, TableKeying, VisitingMethod};
 pub use chain::{Chain, ChainError, ChainTerm, PartZero};
 pub use order::{Mixture, Stop, Times, ToolVisit, Visiting};
 pub use route::{Achieved, Alternative, AlternativeStep, Feature, Route, RouteSource};
-pub use set_up::{FixturePlan, JawsAlong, OtherZero, OwnFixture, Setup, Stand, Strap, Touched, Vice};
+pub use set_up::{
+    BarSetting, FixturePlan, Held, Loading, LocatingPin, OtherZero, OwnFixture, PinPair, Setup, Stand, Strap, Touched,
+    Vice,
+};
 
 /// What holds cutting conditions back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -117,6 +120,35 @@ pub struct Plan {
 }
 
 impl Plan {
+    /// What holds the part in a set-up, from 1. A vice or a fixture of the shop's own holds it in both.
+    pub const fn held(&self, set_up: u32) -> Held<'_> {
+        match (&self.setup.own, &self.setup.vice, self.clamping_of(set_up)) {
+            (Some(own), _, _) => Held::Own(own),
+            (None, Some(vice), _) => Held::Vice(vice),
+            (None, None, Some(clamping)) => Held::Straps(clamping),
+            (None, None, None) => Held::Nothing,
+        }
+    }
+
+    /// The round pin at which X and Y of a set-up are found, where the part lies on a plane and two holes in it.
+    pub fn zero_pin(&self, set_up: u32) -> Option<&LocatingPin> {
+        let fixture = self.setup.fixture.as_ref().filter(|_| set_up == 1)?;
+        fixture.pins.iter().find(|pin| pin.kind == PinKind::Round)
+    }
+
+    /// The zeros of a set-up, from 1, where it has several; the second has one, at the sides of the first.
+    pub fn zeros_of(&self, set_up: u32) -> &[PartZero] {
+        if set_up == 1 { &self.setup.zeros } else { &[] }
+    }
+
+    /// The stops of a visit in the order of the program: those of each zero of its set-up together, with the tool in the spindle.
+    pub fn by_zero<'p>(&'p self, visit: &'p ToolVisit) -> Vec<Vec<&'p Stop>> {
+        let zeros = self.zeros_of(visit.setup);
+        let of = |stop: &Stop| zeros.iter().position(|zero| zero.holes.contains(&stop.hole)).unwrap_or_default();
+        let stops = |zero: usize| visit.stops.iter().filter(|stop| of(stop) == zero).collect();
+        (0..zeros.len().max(1)).map(stops).collect()
+    }
+
     /// The clamps of a set-up, from 1: as the part lies then.
     pub const fn clamping_of(&self, set_up: u32) -> Option<&Clamping> {
         match set_up {

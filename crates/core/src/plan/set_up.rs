@@ -4,8 +4,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::note::Because;
-use crate::part::{Face, Outline, Part, Point, Standing};
-use crate::tables::rules::{FixtureKind, HeldBy, PartLocating, TableKeying};
+use crate::part::{Along, Deviations, Face, Outline, Part, Point, Standing};
+use crate::tables::rules::{FixtureKind, HeldBy, PartLocating, PinKind, TableKeying};
 use crate::units::{Micrometres, NewtonMetres, Newtons};
 
 use super::{Chain, Clamping, PartZero};
@@ -73,8 +73,59 @@ pub struct FixturePlan {
     /// How far part after part is off its place in it, at least and at most, mm; absent where nobody knows the fixture.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub locating_error_mm: Option<[Micrometres; 2]>,
+    /// The pins that locate the part in the first set-up, the round one of two first: X and Y are then found at it, because the
+    /// sides of every part lie otherwise.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pins: Vec<LocatingPin>,
+    /// How two pins belong together; absent where there are not two.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pair: Option<PinPair>,
     /// Why.
     pub because: Vec<Because>,
+}
+
+/// A pin of the fixture in a finished hole of the blank.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LocatingPin {
+    /// Round, or cut away to two lands.
+    pub kind: PinKind,
+    /// Its axis, in the drawing.
+    pub at: Point,
+    /// Its nominal diameter, that of its hole, mm.
+    pub diameter_mm: Micrometres,
+    /// Its field: `g6`.
+    pub field: String,
+    /// The deviations of its diameter, mm.
+    pub upper_mm: Micrometres,
+    /// The same, the lower one.
+    pub lower_mm: Micrometres,
+    /// Its standard.
+    pub standard: String,
+    /// How wide each land of a cut pin is, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub land_mm: Option<Micrometres>,
+    /// The least and the greatest clearance in its hole, mm: as far as the part may shift on it.
+    pub clearance_mm: [Micrometres; 2],
+}
+
+impl LocatingPin {
+    /// The deviations of its diameter.
+    pub const fn deviations(&self) -> Deviations {
+        Deviations { upper: self.upper_mm, lower: self.lower_mm }
+    }
+}
+
+/// Two pins of one part.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PinPair {
+    /// How far apart their axes are, mm.
+    pub apart_mm: Micrometres,
+    /// The tolerances of the distances of the pins and of the holes together, full widths, that every part still goes on with:
+    /// X1 + X2·D2/b of the least clearances X1 and X2, the diameter D2 and the land b of the cut pin, mm.
+    pub distance_tolerances_mm: Micrometres,
+    /// How far the hole farthest from the round pin is turned aside at most: its distance times (S1 + S2)/(2·L) of the greatest
+    /// clearances, mm.
+    pub turned_mm: Micrometres,
 }
 
 /// A machine vice with the part in it, on parallels.
@@ -85,7 +136,7 @@ pub struct Vice {
     /// Its table.
     pub table: String,
     /// The axis along which its jaws stand.
-    pub jaws_along: JawsAlong,
+    pub jaws_along: Along,
     /// How wide its jaws are, mm.
     pub jaw_width_mm: Micrometres,
     /// How far they open for the part, mm.
@@ -149,23 +200,17 @@ impl Strap {
     }
 }
 
-/// The axis along which the jaws of a vice stand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum JawsAlong {
-    /// Along the table.
-    X,
-    /// Across the table.
-    Y,
-}
-
-impl JawsAlong {
-    /// Its letter.
-    pub const fn letter(self) -> char {
-        match self {
-            Self::X => 'X',
-            Self::Y => 'Y',
-        }
-    }
+/// What holds the part in a set-up.
+#[derive(Clone, Copy, Debug)]
+pub enum Held<'p> {
+    /// Straps.
+    Straps(&'p Clamping),
+    /// A vice.
+    Vice(&'p Vice),
+    /// A fixture of the shop's own.
+    Own(&'p OwnFixture),
+    /// Nothing that the plan knows.
+    Nothing,
 }
 
 /// How the part stands on the table in a set-up.
@@ -175,6 +220,12 @@ pub struct Stand {
     pub set_up: u32,
     /// The face that is up.
     pub face: Face,
+    /// The groups of holes that are worked on in it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub holes: Vec<String>,
+    /// The bars of boring tools and what they are set to, in the order of the work.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub bars: Vec<BarSetting>,
     /// How high the part lies over the table, mm.
     pub height_mm: Micrometres,
     /// The left side and the front side of the part from the middle of the table, mm.
@@ -211,6 +262,37 @@ pub struct Stand {
     /// From there to the nearest clamp with a screw, mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start_to_clamp_mm: Option<Micrometres>,
+    /// Where the spindle stands while the part is loaded; absent where no clamps with screws hold it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loading: Option<Loading>,
+}
+
+/// Where the spindle stands while the part is loaded: at the far left from the worker, and from every clamp as far as a wrench needs
+/// (textbook 1.11).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Loading {
+    /// The point, in the drawing.
+    pub at: Point,
+    /// The distance from the nearest clamp that its wrench needs, mm.
+    pub safe_mm: Micrometres,
+    /// From where the axis X ends to that point, mm; absent where the axes reach it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub beyond_mm: Option<Micrometres>,
+    /// Whether the place of the tool change is as far from every clamp, so that the spindle may stay there.
+    pub start_is_safe: bool,
+}
+
+/// A boring bar set to a diameter.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct BarSetting {
+    /// The tool.
+    pub tool: u32,
+    /// The diameter that it bores, mm.
+    pub diameter_mm: Micrometres,
+    /// The groups of holes that are bored so.
+    pub holes: Vec<String>,
+    /// Whether the program stops for it; otherwise the bar is set before the program begins.
+    pub at_stop: bool,
 }
 
 /// Another zero of a set-up, found at other sides of each part.

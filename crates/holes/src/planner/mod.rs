@@ -149,10 +149,10 @@ pub fn plan_by(
         findings.extend(start_point(part, clamping, &shop)?);
     }
     findings.extend(of_holding);
-    let held = setup::held_by(part, plan.setup.vice.as_ref(), plan.clamping.as_ref());
+    plan.setup.own = setup::own(part, &plan.holes, &shop)?;
+    let held = setup::held_by(plan.held(1));
     let setup::Chains { zeros, chains, findings: of_chains } = setup::chains(part, &plan.holes, held, &shop)?;
     findings.extend(of_chains);
-    let own = setup::own(part, &plan.holes, &shop)?;
     plan.visiting = sequence::visiting::visiting(part, &plan.holes, &shop, &mut findings)?;
     let off_table = zone::off_table(part, &shop)?;
     findings.extend(off_table.iter().map(|fault| Finding::of_part(fault.severity(), fault.note())));
@@ -162,12 +162,14 @@ pub fn plan_by(
         let by = (Process::Drilling, ToolMaterial::HighSpeedSteel);
         findings.extend(technolog_cutting::state::without_force(&shop.material, state, by, knowledge)?);
     }
-    plan.setup = Setup { own, zeros, chains, ..plan.setup };
+    (plan.setup.zeros, plan.setup.chains) = (zeros, chains);
     plan.findings = findings;
     sequence::timed(&mut plan, &shop)?;
     // Every plan is checked by the proof, however it was chosen.
     plan.findings.extend(technolog_proof::prove(&plan, &shop)?);
-    plan.setup.fixture = setup::fixture(&plan, &shop)?;
+    let (fixture, of_fixture) = setup::fixture(&plan, &shop)?;
+    plan.setup.fixture = fixture;
+    plan.findings.extend(of_fixture);
     unconfirmed(&mut plan);
     Finding::in_order(&mut plan.findings);
     Ok(plan)

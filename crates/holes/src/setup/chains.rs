@@ -18,9 +18,6 @@ use crate::units::Micrometres;
 
 use super::fixture::locating_error;
 
-/// The length of a side over which the error of truing is told: 300 mm.
-const TRUED_OVER: Micrometres = Micrometres::from_mm(300);
-
 /// The zeros and chains of a part, with what does not close.
 #[derive(Debug, Default)]
 pub struct Chains {
@@ -260,7 +257,9 @@ impl Measured<'_, '_> {
             }
         }
         let lever = self.lever(hole, axis);
-        let turned = self.errors.truing.most.ratio(lever.micrometres(), TRUED_OVER.micrometres());
+        let truing = &self.errors.truing;
+        let over = truing.over.filter(|over| *over > Micrometres::ZERO);
+        let turned = over.map_or(truing.most, |over| truing.most.ratio(lever.micrometres(), over.micrometres()));
         terms.row(ChainError::Truing, &self.errors.truing, turned);
         if zero.side(axis) != side {
             match self.part.size_tolerance(axis) {

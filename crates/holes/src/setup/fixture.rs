@@ -2,37 +2,51 @@
 //! to 1.9.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note};
+use crate::note::{Because, Finding, Note};
 use crate::part::{Base, Deviations, Part};
-use crate::plan::{Clamping, FixturePlan, HeldBy, Plan, TableKeying, Vice};
+use crate::plan::{FixturePlan, Held, HeldBy, LocatingPin, PartLocating, Plan, TableKeying};
 use crate::shop::Shop;
 use crate::tables::materials::{KeyingFit, SettingError, SettingErrorOf};
 use crate::tables::rules::{FixtureKeyingFor, FixtureKindFor, PartLocatingFor};
 use crate::units::Micrometres;
 
-/// What holds a part.
-pub const fn held_by(part: &Part, vice: Option<&Vice>, clamping: Option<&Clamping>) -> HeldBy {
-    if part.fixture.own.is_some() {
-        return HeldBy::Own;
+use super::pins::{Pins, pins};
+
+/// What holds a part in its first set-up, in the words of the rules.
+pub const fn held_by(held: Held<'_>) -> HeldBy {
+    match held {
+        Held::Straps(_) => HeldBy::Straps,
+        Held::Vice(_) => HeldBy::Vice,
+        Held::Own(_) => HeldBy::Own,
+        Held::Nothing => HeldBy::Nothing,
     }
-    match (vice, clamping) {
-        (Some(_), _) => HeldBy::Vice,
-        (None, Some(_)) => HeldBy::Straps,
-        (None, None) => HeldBy::Nothing,
-    }
+}
+
+/// How the part is located in its fixture, with its reason.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub fn locating(part: &Part, shop: &Shop<'_>) -> Result<(PartLocating, Because), KnowledgeError> {
+    // Where the drawing does not say from where it gives its sizes, it is the contour, unless the file locates the part by holes.
+    let (dimensions, pins) = (&part.dimensions, &part.fixture.pins);
+    let from_side = dimensions.iter().any(|one| matches!((&one.from, &one.to), (Base::Side(_), Base::Hole(_))));
+    let from_contour = from_side || dimensions.is_empty() && pins.is_empty();
+    let answer = shop.knowledge.ask(&PartLocatingFor { fine_holes: pins.len() as f64, from_contour })?;
+    let why = Because::answer(&answer.answer, Note::new("part-locating"));
+    Ok((answer.need("three-planes")?.locating, why))
 }
 
 /// The fixture of a plan with its findings; none where nothing is set up. A plate that springs under a drill is not stiff.
 ///
 /// # Errors
 /// The knowledge base has no answer.
-pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<Option<FixturePlan>, KnowledgeError> {
+pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<(Option<FixturePlan>, Vec<Finding>), KnowledgeError> {
     if plan.setup.stands.is_empty() {
-        return Ok(None);
+        return Ok((None, Vec::new()));
     }
-    let held = held_by(&plan.part, plan.setup.vice.as_ref(), plan.clamping.as_ref());
+    let held = held_by(plan.held(1));
     let stiff = !technolog_proof::plate_springs(plan, shop)?;
-    let ask = FixtureKindFor { held, stiff, family: false };
+    let ask = FixtureKindFor { held, stiff, family: false, pins: !plan.part.fixture.pins.is_empty() };
     let answer = shop.knowledge.ask(&ask)?;
     let kind = answer.need(held.name())?.kind;
     let mut because = vec![Because::answer(&answer.answer, Note::new("fixture-kind"))];
@@ -46,25 +60,33 @@ pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<Option<FixturePlan>, Know
     };
     let play = keying.map(|keying| play(keying, shop)).transpose()?.flatten();
     because.extend(play.iter().map(|(_, why)| why.clone()));
-    // Holes of the blank that take a pin no key of a file names. Where the drawing does not say from where it gives its sizes, it is the
-    // contour.
-    let dimensions = &plan.part.dimensions;
-    let from_side = dimensions.iter().any(|one| matches!((&one.from, &one.to), (Base::Side(_), Base::Hole(_))));
-    let ask = PartLocatingFor { fine_holes: 0.0, from_contour: dimensions.is_empty() || from_side };
-    let answer = shop.knowledge.ask(&ask)?;
-    because.push(Because::answer(&answer.answer, Note::new("part-locating")));
-    let locating = answer.need("three-planes")?.locating;
-    let error = locating_error(held, shop)?;
+    let (locating, why) = locating(&plan.part, shop)?;
+    because.push(why);
+    let Pins { pins, pair, because: of_pins, findings } = pins(&plan.part, locating, shop)?;
+    because.extend(of_pins);
+    // On a plane and two holes no side of the part touches anything.
+    let error = if locating == PartLocating::PlaneAndTwoHoles { None } else { locating_error(held, shop)? };
     because.extend(error.iter().map(|row| Because::row(row.row, Note::new("locating-error").with("most", row.most))));
-    Ok(Some(FixturePlan {
+    let of_sides = error.map(|row| [row.least, row.most]);
+    // Along X and Y it may be a side or a pin that errs more.
+    let of_pin = pins.first().map(|pin: &LocatingPin| pin.clearance_mm);
+    let wider = |[a, b]: [Micrometres; 2], [c, d]: [Micrometres; 2]| [a.max(c), b.max(d)];
+    let error = match (of_sides, of_pin) {
+        (Some(sides), Some(pin)) => Some(wider(sides, pin)),
+        (sides, pin) => sides.or(pin),
+    };
+    let fixture = FixturePlan {
         fixture_kind: kind,
         held,
         keying,
         keying_play_mm: play.map(|(play, _)| play),
         locating,
-        locating_error_mm: error.map(|row| [row.least, row.most]),
+        locating_error_mm: error,
+        pins,
+        pair,
         because,
-    }))
+    };
+    Ok((Some(fixture), findings))
 }
 
 /// How far a part is off its place from part to part, by what holds it; none for what nobody knows.

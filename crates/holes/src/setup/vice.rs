@@ -2,8 +2,8 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note};
-use crate::part::Part;
-use crate::plan::{HolePlan, JawsAlong, Vice};
+use crate::part::{Along, Part};
+use crate::plan::{HolePlan, Vice};
 use crate::shop::Shop;
 use crate::tables::materials::{ClampingConstant, MachineVice, Parallels};
 use crate::units::{Micrometres, Newtons};
@@ -28,7 +28,7 @@ pub fn vice(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Result<V
     let job = InVice { part, holes, loads: &loads, limits: &limits, parallels: &parallels };
     let mut why = None;
     for row in &rows {
-        for jaws in [JawsAlong::X, JawsAlong::Y] {
+        for jaws in [Along::X, Along::Y] {
             match job.held(row, jaws, shop)? {
                 Ok(vice) => return Ok(Ok(vice)),
                 Err(refused) => {
@@ -94,16 +94,11 @@ impl InVice<'_, '_> {
     }
 
     /// The part in that vice with its jaws along that axis, or the inequality that fails.
-    fn held(
-        &self,
-        row: &MachineVice<'_>,
-        jaws: JawsAlong,
-        shop: &Shop<'_>,
-    ) -> Result<Result<Vice, Note>, KnowledgeError> {
+    fn held(&self, row: &MachineVice<'_>, jaws: Along, shop: &Shop<'_>) -> Result<Result<Vice, Note>, KnowledgeError> {
         let blank = &self.part.blank;
         let (along, between) = match jaws {
-            JawsAlong::X => (blank.length, blank.width),
-            JawsAlong::Y => (blank.width, blank.length),
+            Along::X => (blank.length, blank.width),
+            Along::Y => (blank.width, blank.length),
         };
         if along > row.jaw_width || between > row.opening {
             let note = Note::new("vice-too-small").with("along", along).with("jaws", row.jaw_width);
@@ -152,7 +147,7 @@ impl InVice<'_, '_> {
 
     /// The lowest parallels that leave the tools room below the part and the jaws a grip below the face, with the room beside the
     /// holes above them; none where the part lies on the ways.
-    fn parallels(&self, row: &MachineVice<'_>, jaws: JawsAlong) -> Result<Option<(&Parallels<'_>, Micrometres)>, Note> {
+    fn parallels(&self, row: &MachineVice<'_>, jaws: Along) -> Result<Option<(&Parallels<'_>, Micrometres)>, Note> {
         let (thickness, limits, below) = (self.part.blank.thickness, self.limits, self.below());
         let most = (thickness - limits.below_face).min(row.jaw_height);
         let least = limits.grip.max(Micrometres::from_mm_rounded(limits.grip_share * thickness.to_mm()));
@@ -190,7 +185,7 @@ impl InVice<'_, '_> {
 
     /// The least distance from a jaw to the edge of a hole that comes out below; none where a hole lies beyond the end of the
     /// parallels.
-    fn room_beside(&self, jaws: JawsAlong, parallels: Micrometres) -> Option<Micrometres> {
+    fn room_beside(&self, jaws: Along, parallels: Micrometres) -> Option<Micrometres> {
         let (blank, datum, middle) = (&self.part.blank, &self.part.datum, self.part.middle());
         let mut room = blank.length.max(blank.width);
         let through =
@@ -200,8 +195,8 @@ impl InVice<'_, '_> {
                 hole.steps.iter().map(|step| step.diameter.nominal).fold(hole.diameter.nominal, Micrometres::max);
             for at in &hole.at {
                 let (from_jaw, to_end) = match jaws {
-                    JawsAlong::X => (side(at.y - datum.front, blank.width), (at.x - middle.x).abs()),
-                    JawsAlong::Y => (side(at.x - datum.left, blank.length), (at.y - middle.y).abs()),
+                    Along::X => (side(at.y - datum.front, blank.width), (at.x - middle.x).abs()),
+                    Along::Y => (side(at.x - datum.left, blank.length), (at.y - middle.y).abs()),
                 };
                 if to_end > parallels.half() {
                     return None;

@@ -2,7 +2,7 @@
 
 use crate::knowledge::Knowledge;
 use crate::note::{Figure, Note};
-use crate::plan::{Plan, Stand};
+use crate::plan::{OtherZero, Plan, Stand};
 use crate::program::Setting;
 use crate::tables::controls::{OperatorKeys, OperatorStage as Stage};
 use crate::units::Micrometres;
@@ -21,7 +21,7 @@ pub(super) fn steps(
     let keys = Keys { rows: rows.into_iter().filter(|row| row.control == control).collect(), lang };
     let mut steps = keys.correctors(plan, setting)?;
     for stand in &plan.setup.stands {
-        steps.extend(keys.zeros(stand)?);
+        steps.extend(keys.zeros(stand, plan)?);
     }
     (!plan.setup.stands.is_empty())
         .then(|| (1..).zip(steps).map(|(number, step)| format!("{number}. {step}")).collect())
@@ -66,12 +66,13 @@ impl Keys<'_> {
     }
 
     /// The zeros of a set-up (textbook 4.2.1.6).
-    fn zeros(&self, stand: &Stand) -> Option<Vec<String>> {
+    fn zeros(&self, stand: &Stand, plan: &Plan) -> Option<Vec<String>> {
         let mut steps = vec![self.step(Stage::Zeros, Note::new("keys-zeros").with("setup", stand.set_up))?];
-        let frames = std::iter::once((stand.frame, stand.sides_mm, stand.touched));
-        let others = stand.other_zeros.iter().map(|other| (other.frame, other.sides_mm, other.touched));
+        let frames = std::iter::once((stand.frame, crate::sheet::zero_sums(stand, plan)));
+        let radii = |other: &OtherZero| crate::sheet::less_radii(other.sides_mm, other.touched);
+        let others = stand.other_zeros.iter().map(|other| (other.frame, radii(other)));
         let mut shown = 1;
-        for (frame, sides, touched) in frames.chain(others) {
+        for (frame, [x, y]) in frames.chain(others) {
             let name = format!("G{frame}");
             // The additional shifts are on the first page, then two zeros on each.
             let page = (frame.saturating_sub(54)) / 2 + 2;
@@ -80,10 +81,18 @@ impl Keys<'_> {
                 steps.push(self.step(Stage::Page, note)?);
             }
             shown = page;
-            let [x, y] = crate::sheet::less_radii(sides, touched);
             let [about_x, about_y, about_z] = stand.zero_mm;
             let note = Note::new("keys-value").with("frame", name.as_str()).with("x", x).with("y", y);
-            steps.push(self.step(Stage::Value, note.with("about_x", about_x).with("about_y", about_y))?);
+            let keyed = self.step(Stage::Value, note.with("about_x", about_x).with("about_y", about_y))?;
+            // The first zero stays where stops or pins put every part; another one is found at a side that no stop holds.
+            let often = if frame == stand.frame { crate::sheet::once(stand, plan) } else { Some("keys-each-part") };
+            steps.push(
+                [Some(keyed.as_str()), often.map(|code| self.lang.word(code))]
+                    .into_iter()
+                    .flatten()
+                    .collect::<Vec<_>>()
+                    .join(". "),
+            );
             let tool = stand.reference_tool.map_or_else(String::new, |tool| format!(" T{tool}"));
             let note = |code: &'static str| {
                 Note::new(code)

@@ -42,7 +42,10 @@ pub(crate) fn work(page: &mut Document, plan: &Plan, lang: Lang) {
         page.push(table);
     }
     page.heading(3, say!(lang, "plan-order"));
-    let visits = plan.sequence.iter().map(|visit| Field::new(format!("T{}", visit.tool), stops(&visit.stops, lang)));
+    let visits = plan
+        .sequence
+        .iter()
+        .map(|visit| Field::new(format!("T{}", visit.tool), stops(plan.by_zero(visit).concat(), lang)));
     page.push(Block::Fields(visits.collect()));
 }
 

@@ -3,21 +3,28 @@
 
 use crate::document::Document;
 use crate::note::{Figure, Note};
-use crate::part::{Face, Part};
-use crate::plan::{Clamping, FixturePlan, OtherZero, OwnFixture, Plan, Stand, Touched, Vice};
+use crate::part::{Along, Face, Part};
+use crate::plan::{
+    BarSetting, Clamping, FixtureKind, FixturePlan, Held, HeldBy, OtherZero, OwnFixture, PartLocating, Plan, Stand,
+    Touched, Vice,
+};
 use crate::units::Micrometres;
 
-use super::{Lang, chains, clamps_of, mark, rounded, say, weak_screw};
+use super::{Lang, chains, clamps_of, mark, pins, rounded, say, weak_screw};
 
 /// The steps of all set-ups, numbered throughout.
 pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
-    let mut steps: Vec<String> = plan.setup.fixture.iter().map(|fixture| kind(fixture, lang)).collect();
+    let fixture = plan.setup.fixture.as_ref();
+    let mut steps: Vec<String> = fixture.iter().map(|fixture| kind(fixture, lang)).collect();
+    steps.extend(fixture.and_then(|fixture| pins::told(fixture, &plan.part, lang)));
     for stand in &plan.setup.stands {
-        match &plan.setup.vice {
-            Some(vice) => steps.push(in_vice(vice, stand, lang)),
-            None => steps.extend(on_table(stand, plan, lang)),
+        match plan.held(stand.set_up) {
+            Held::Vice(vice) => steps.push(in_vice(vice, stand, plan, lang)),
+            held => steps.extend(on_table(held, stand, plan, lang)),
         }
-        steps.extend(place(stand, lang));
+        steps.extend(place(stand, plan, lang));
+        steps.extend(stand.bars.iter().map(|bar| bar_set(bar, lang)));
+        steps.push(start(stand, lang));
     }
     for (number, step) in (1..).zip(steps) {
         page.paragraph(format!("{number}. {step}"));
@@ -30,42 +37,102 @@ pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
 /// The kind of fixture, its place on the table, and the part in it.
 fn kind(fixture: &FixturePlan, lang: Lang) -> String {
     let said = |code: String| lang.say(&Note::new(code));
-    let mut sentences = vec![said(format!("plan-fixture-{}-{}", fixture.fixture_kind.name(), fixture.held.name()))];
+    // Straps hold the part on a plate made for it, because the table has no holes for pins.
+    let on_pins = matches!((fixture.fixture_kind, fixture.held), (FixtureKind::Special, HeldBy::Straps));
+    let mut sentences = vec![match on_pins && !fixture.pins.is_empty() {
+        true => said("plan-fixture-special-pins".to_owned()),
+        false => said(format!("plan-fixture-{}-{}", fixture.fixture_kind.name(), fixture.held.name())),
+    }];
     sentences.extend(fixture.keying.map(|keying| said(format!("plan-keying-{}", keying.name()))));
     let play = fixture.keying_play_mm.map(|play| lang.say(&Note::new("plan-keying-play").with("play", play)));
     sentences.extend(play);
     sentences.push(said(format!("plan-locating-{}", fixture.locating.name())));
+    // Figures of sides are remembered, those of a pin follow from its field.
+    let costs = match fixture.locating {
+        PartLocating::PlaneAndTwoHoles => "plan-locating-error-pins",
+        _ => "plan-locating-error",
+    };
     let error = fixture
         .locating_error_mm
-        .map(|[least, most]| lang.say(&Note::new("plan-locating-error").with("least", least).with("most", most)));
+        .map(|[least, most]| lang.say(&Note::new(costs).with("least", least).with("most", most)));
     sentences.extend(error);
     sentences.join(" ")
 }
 
-/// The part on supports, and its clamps.
-fn on_table(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
+/// The part on supports against its stops, and its clamps.
+fn on_table(held: Held<'_>, stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
     let key = match plan.part.fixture.height {
+        Some(_) if stand.set_up == 1 && !plan.part.fixture.pins.is_empty() => "plan-on-plate",
         Some(_) => "plan-supports-given",
         None if stand.height_mm > Micrometres::ZERO => "plan-supports-assumed",
         None => "plan-supports-none",
     };
     let supports = lang.say(&Note::new(key).with("setup", stand.set_up).with("height", stand.height_mm));
     let lies = lang.say(&lies(stand));
-    let held = match plan.clamping_of(stand.set_up) {
-        None if stand.face == Face::Back && plan.setup.own.is_none() => {
-            say!(lang, "setting-clamps-of-second", setup = stand.set_up).to_owned()
-        }
-        Some(clamping) => {
+    let clamped = match held {
+        Held::Straps(clamping) => {
             let turned = (stand.face == Face::Back).then(|| lang.word("plan-clamps-turned").to_owned());
             [Some(clamps(clamping, &plan.part, lang)), turned].into_iter().flatten().collect::<Vec<_>>().join(" ")
         }
-        None if plan.setup.own.is_some() => plan.setup.own.iter().map(|own| own_fixture(own, lang)).collect(),
-        None => lang.word("plan-no-clamping").to_owned(),
+        Held::Own(own) => own_fixture(own, lang),
+        Held::Vice(_) | Held::Nothing if stand.face == Face::Back => {
+            say!(lang, "setting-clamps-of-second", setup = stand.set_up).to_owned()
+        }
+        Held::Vice(_) | Held::Nothing => lang.word("plan-no-clamping").to_owned(),
     };
     // What stands under a part by the file is not ours to place.
     let where_ = (key == "plan-supports-assumed").then(|| lang.word("plan-supports-where").to_owned());
-    let part: Vec<String> = [Some(supports), where_, Some(lies)].into_iter().flatten().collect();
-    vec![part.join(" "), held]
+    let stops = stops(stand, plan, lang);
+    let part = [turned_over(stand, plan, lang), Some(supports), where_, Some(lies), stops];
+    vec![part.into_iter().flatten().collect::<Vec<_>>().join(" "), clamped]
+}
+
+/// How the part is turned over for a later set-up, what is made of it already, and what is made now.
+pub(crate) fn turned_over(stand: &Stand, plan: &Plan, lang: Lang) -> Option<String> {
+    let named = |holes: &[String]| Figure::list(holes.iter().map(|name| Figure::called(name)));
+    let before: Vec<String> =
+        plan.setup.stands.iter().filter(|one| one.set_up < stand.set_up).fold(Vec::new(), |mut all, one| {
+            all.extend(one.holes.iter().filter(|hole| !all.contains(hole)).cloned().collect::<Vec<_>>());
+            all
+        });
+    let note = Note::new(if before.is_empty() { "plan-turned-first" } else { "plan-turned" });
+    let note = note.with("setup", stand.set_up).with("now", named(&stand.holes));
+    (stand.face == Face::Back)
+        .then(|| lang.say(&if before.is_empty() { note } else { note.with("made", named(&before)) }))
+}
+
+/// The side of the part, as it lies, that is touched along an axis.
+fn side(touched: Touched, axis: Along, lang: Lang) -> &'static str {
+    lang.word(match (axis, touched.left, touched.front) {
+        (Along::X, true, _) => "plan-side-left",
+        (Along::X, false, _) => "plan-side-right",
+        (Along::Y, _, true) => "plan-side-front",
+        (Along::Y, _, false) => "plan-side-back",
+    })
+}
+
+/// The stops that straps hold the part against: two points of the longer side and one of the shorter, as three planes have it; none
+/// where pins locate it.
+pub(crate) fn stops(stand: &Stand, plan: &Plan, lang: Lang) -> Option<String> {
+    let fixture = plan.setup.fixture.as_ref()?;
+    let straps = matches!(plan.held(stand.set_up), Held::Straps(_));
+    let first = stand.set_up == 1;
+    let blank = &plan.part.blank;
+    let (long, short) = if blank.length >= blank.width { (Along::Y, Along::X) } else { (Along::X, Along::Y) };
+    let [long, short] = [long, short].map(|axis| side(stand.touched, axis, lang).to_owned());
+    let note = match fixture.locating {
+        PartLocating::PlaneAndTwoHoles if first => return None,
+        PartLocating::TwoPlanesAndHole if first => Note::new("plan-stops-one").with("long", long),
+        _ => Note::new("plan-stops").with("long", long).with("short", short),
+    };
+    straps.then(|| lang.say(&note))
+}
+
+/// What a bar is set to, and when.
+pub(crate) fn bar_set(bar: &BarSetting, lang: Lang) -> String {
+    let holes = Figure::list(bar.holes.iter().map(|name| Figure::called(name)));
+    let note = Note::new(if bar.at_stop { "plan-bar-at-stop" } else { "plan-bar-before" });
+    lang.say(&note.with("tool", bar.tool).with("diameter", bar.diameter_mm).with("holes", holes))
 }
 
 /// What the fixture of the file must hold.
@@ -87,7 +154,7 @@ fn lies(stand: &Stand) -> Note {
 }
 
 /// The part in the vice.
-pub(crate) fn in_vice(vice: &Vice, stand: &Stand, lang: Lang) -> String {
+pub(crate) fn in_vice(vice: &Vice, stand: &Stand, plan: &Plan, lang: Lang) -> String {
     let on = match vice.parallels_mm {
         Some(height) => Note::new("plan-on-parallels")
             .with("height", height)
@@ -107,7 +174,16 @@ pub(crate) fn in_vice(vice: &Vice, stand: &Stand, lang: Lang) -> String {
         .with("force", rounded(vice.force_n.0, 0))
         .with("hole", Figure::called(&vice.hole))
         .with("gives", rounded(vice.gives_n.0, 0));
-    [lang.say(&held), lang.say(&grips), lang.say(&lies(stand))].join(" ")
+    // The jaws stand along one axis, so that they press along the other.
+    let (jaw, end) = match vice.jaws_along {
+        Along::X => (Along::Y, Along::X),
+        Along::Y => (Along::X, Along::Y),
+    };
+    let [jaw, end] = [jaw, end].map(|axis| side(stand.touched, axis, lang).to_owned());
+    let against = lang.say(&Note::new("plan-vice-stop").with("jaw", jaw).with("side", end));
+    let turned = turned_over(stand, plan, lang);
+    let said = [lang.say(&held), against, lang.say(&grips), lang.say(&lies(stand))];
+    turned.into_iter().chain(said).collect::<Vec<_>>().join(" ")
 }
 
 /// The force of the clamps, and where they press.
@@ -127,13 +203,18 @@ fn clamps(clamping: &Clamping, part: &Part, lang: Lang) -> String {
     sentences.join(" ")
 }
 
-/// The knee, the zeros and the first motion.
-fn place(stand: &Stand, lang: Lang) -> Vec<String> {
+/// The knee and the zeros.
+fn place(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
     let [x, y, z] = stand.zero_mm;
     let knee = stand.nose_to_table_mm.map(|nose| lang.say(&Note::new("plan-knee").with("nose", nose)));
     let frame = format!("G{}", stand.frame);
-    let sides = touching("plan-zero-by-sides", &frame, stand.touched, stand.sides_mm, lang).with("x", x).with("y", y);
-    let mut sides = vec![lang.say(&sides)];
+    let [right, back] = zero_sums(stand, plan);
+    let sides = match plan.zero_pin(stand.set_up) {
+        Some(_) => Note::new("plan-zero-by-pin").with("frame", frame.as_str()).with("right", right).with("back", back),
+        None => touching("plan-zero-by-sides", &frame, stand.touched, stand.sides_mm, lang),
+    };
+    let mut sides = vec![lang.say(&sides.with("x", x).with("y", y))];
+    sides.extend(once(stand, plan).map(|code| lang.word(code).to_owned()));
     // A blank is not as long as drawn: what both set-ups make must be counted from one face.
     if stand.face == Face::Back {
         sides.push(lang.word("plan-same-face").to_owned());
@@ -144,17 +225,49 @@ fn place(stand: &Stand, lang: Lang) -> Vec<String> {
         .with("tool", stand.reference_tool.map_or_else(String::new, |tool| format!(" T{tool}")))
         .with("face", if stand.face_mm == Micrometres::ZERO { String::new() } else { less(stand.face_mm) })
         .with("z", z);
+    let face = [lang.say(&face).as_str(), lang.word("plan-lengths-measured")].join(" ");
+    knee.into_iter().chain([sides.join(" "), face]).chain(others).collect()
+}
+
+/// Whether X and Y of the first zero are found once for all parts, in words: where each further part comes to lie at the same place.
+pub(crate) fn once(stand: &Stand, plan: &Plan) -> Option<&'static str> {
+    match plan.held(stand.set_up) {
+        _ if plan.zero_pin(stand.set_up).is_some() => Some("plan-once-pins"),
+        Held::Straps(_) | Held::Vice(_) => Some("plan-once"),
+        Held::Own(_) | Held::Nothing => None,
+    }
+}
+
+/// What is added to the readings xM, yM for the zero of a set-up.
+pub(crate) fn zero_sums(stand: &Stand, plan: &Plan) -> [String; 2] {
+    match plan.zero_pin(stand.set_up) {
+        Some(pin) => {
+            [pin.at.x, pin.at.y].map(|length| if length == Micrometres::ZERO { String::new() } else { less(length) })
+        }
+        None => less_radii(stand.sides_mm, stand.touched),
+    }
+}
+
+/// Where the spindle stands while the part is loaded, and the first motion.
+fn start(stand: &Stand, lang: Lang) -> String {
     let start =
         Note::new("plan-start").with("x", stand.start.x).with("y", stand.start.y).with("level", stand.first_level_mm);
-    let start = match stand.start_to_clamp_mm {
-        Some(away) => {
-            [lang.say(&start), lang.say(&Note::new("plan-start-to-clamp").with("away", rounded(away.to_mm(), 0)))]
-                .join(" ")
-        }
-        None => lang.say(&start),
-    };
-    let face = [lang.say(&face).as_str(), lang.word("plan-lengths-measured")].join(" ");
-    knee.into_iter().chain([sides.join(" "), face]).chain(others).chain([start]).collect()
+    let away = stand
+        .start_to_clamp_mm
+        .map(|away| lang.say(&Note::new("plan-start-to-clamp").with("away", rounded(away.to_mm(), 0))));
+    let loading = stand.loading.map(|loading| {
+        let note = Note::new(match (loading.beyond_mm, loading.start_is_safe) {
+            (None, _) => "plan-loading",
+            (Some(_), true) => "plan-loading-at-start",
+            (Some(_), false) => "plan-loading-beyond",
+        });
+        let note = note.with("x", loading.at.x).with("y", loading.at.y).with("distance", loading.safe_mm);
+        lang.say(&match loading.beyond_mm {
+            Some(beyond) => note.with("beyond", beyond),
+            None => note,
+        })
+    });
+    loading.into_iter().chain([lang.say(&start)]).chain(away).collect::<Vec<_>>().join(" ")
 }
 
 /// The sides that an arbor touches for a zero, and what is taken away from what it shows there.
@@ -162,8 +275,8 @@ fn touching(key: &'static str, frame: &str, touched: Touched, sides: [Micrometre
     let [right, back] = less_radii(sides, touched);
     Note::new(key)
         .with("frame", frame)
-        .with("side", lang.word(if touched.left { "plan-side-left" } else { "plan-side-right" }).to_owned())
-        .with("end", lang.word(if touched.front { "plan-side-front" } else { "plan-side-back" }).to_owned())
+        .with("side", side(touched, Along::X, lang).to_owned())
+        .with("end", side(touched, Along::Y, lang).to_owned())
         .with("right", right)
         .with("back", back)
 }

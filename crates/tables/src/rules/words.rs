@@ -171,6 +171,16 @@ vocabulary! {
         Pushes = "pushes",
     }
 
+    /// Kinds of pins that locate a part by a hole of it.
+    #[derive(Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum PinKind {
+        /// Round: it takes the part along X and Y.
+        Round = "round",
+        /// Cut away to two lands: it takes the part across them.
+        Cut = "cut",
+    }
+
     /// What holds a part on the table.
     #[derive(Serialize, Deserialize, JsonSchema)]
     #[serde(rename_all = "kebab-case")]

@@ -27,6 +27,7 @@ encoding-call = { $text }: call of the subprogram
 # What the operator sets before a program runs.
 setting-title = Setting of the machine: { $part }
 setting-stand = set-up { $setup }: the part on supports of { $supports } mm; { $nose } mm from the table to the spindle nose with the ram up
+setting-stand-vice = set-up { $setup }: { $nose } mm from the table to the spindle nose with the ram up
 setting-mark = * rests on a row of a table that nothing confirms; `technolog plan … --all-problems` says why
 setting-lengths = lengths H are sums from catalogs: measure each assembly and key in the length found
 setting-clamps-of-second = set-up { $setup }: the places of the clamps are to be chosen anew, the plan has those of the first set-up only
@@ -56,5 +57,6 @@ keys-leave = { $keys }: out of the table
 keys-zeros = Set-up { $setup }: { $keys }: the table of zeros
 keys-page = { $keys }, until page { $page }: { $frame } stands there
 keys-value = { $frame }, lines X and Y, { $keys } each: X = xM{ $x }, about { $about_x }; Y = yM{ $y }, about { $about_y }
+keys-each-part = On each part anew
 keys-read-z = The reference tool{ $tool } from Z 0 of the machine down onto the face; { $keys } on line Z of { $frame }: about { $about }
 keys-value-z = The reference tool{ $tool } from Z 0 of the machine down onto the face, read zM; { $frame }, line Z, { $keys }: Z = zM{ $less }, about { $about }

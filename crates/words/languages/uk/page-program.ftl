@@ -27,6 +27,7 @@ encoding-call = { $text }: виклик підпрограми
 # What the operator sets before a program runs.
 setting-title = Налагодження верстата: { $part }
 setting-stand = установ { $setup }: деталь на опорах { $supports } мм; від стола до торця шпинделя за верхнього положення повзуна { $nose } мм
+setting-stand-vice = установ { $setup }: від стола до торця шпинделя за верхнього положення повзуна { $nose } мм
 setting-mark = * – спирається на рядок таблиці, якого ніщо не підтверджує; чому – каже `technolog plan … --all-problems`
 setting-lengths = довжини H – суми з каталогів: кожен комплект виміряти й набрати виміряну довжину
 setting-clamps-of-second = установ { $setup }: місця притискачів вибрати наново, у плані вони лише для першого установа
@@ -56,5 +57,6 @@ keys-leave = { $keys }: вийти з таблиці
 keys-zeros = Установ { $setup }: { $keys }: таблиця нулів
 keys-page = { $keys }, до сторінки { $page }: там { $frame }
 keys-value = { $frame }, рядки X і Y, щоразу { $keys }: X = xM{ $x }, близько { $about_x }; Y = yM{ $y }, близько { $about_y }
+keys-each-part = На кожній деталі знову
 keys-read-z = Еталонний інструмент{ $tool } від Z 0 верстата підвести до поверхні; { $keys } у рядку Z для { $frame }: близько { $about }
 keys-value-z = Еталонний інструмент{ $tool } від Z 0 верстата підвести до поверхні, зчитати zM; { $frame }, рядок Z, { $keys }: Z = zM{ $less }, близько { $about }
