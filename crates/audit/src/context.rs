@@ -7,11 +7,12 @@ use crate::error::KnowledgeError;
 use crate::knowledge::units::Percent;
 use crate::knowledge::vocabulary::Shank;
 use crate::knowledge::{Question, TypedAnswer};
-use crate::note::{Figure, IntoFigure, Note};
+use crate::note::{Figure, IntoFigure, Note, Severity};
 use crate::part::{Hole, Point};
 use crate::plan::{Operation, Plan, Transition};
 use crate::shop::Shop;
 use crate::tables::holders::HolderRow;
+use crate::tables::machines::MachineQuantity;
 use crate::tooling::named::NamedCutter;
 use crate::units::{Micrometres, RevsPerMinute};
 
@@ -200,6 +201,13 @@ impl<'a> Context<'a> {
         let mut changes: Vec<u32> = rows.filter_map(|row| Some(row.tool.as_ref()?.value)).collect();
         changes.dedup();
         changes
+    }
+
+    /// How grave a speed beside the steps of the machine is: a series that nobody has confirmed makes it doubtful at most.
+    pub fn of_series(&self, severity: Severity) -> Severity {
+        let series = self.shop.machine.row(MachineQuantity::SpindleSpeeds);
+        let confirmed = series.is_ok_and(|row| row.row().unconfirmed.is_none());
+        if confirmed { severity } else { severity.max(Severity::Doubtful) }
     }
 
     /// What is wrong with a speed that the machine cannot turn at all.

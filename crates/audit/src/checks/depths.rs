@@ -53,11 +53,12 @@ pub(super) fn check<'a>(
             continue;
         }
         if row.operation.value == Operation::CentreDrill {
-            if let Some(right) = spot(context, graph, at, row)
+            // How wide the spot of a program is meant to be nobody says.
+            let is_said = row.figures.contains_key(&Q::Diameter);
+            if let Some(right) = spot(context, graph, at, row).filter(|_| is_said || !context.stated.is_of_program())
                 && (figure.value - right).abs() > figure.last_place / 2.0 + 1e-6
             {
                 // Without its diameter, the author may have meant a wider spot than our plan makes.
-                let is_said = row.figures.contains_key(&Q::Diameter);
                 let severity = if is_said { Severity::Wrong } else { Severity::Doubtful };
                 let finding = say(severity, Note::new("audit-spot-depth"));
                 findings.push(with_right_value(finding, figure, shown(right), Q::Depth));

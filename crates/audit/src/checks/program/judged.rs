@@ -9,7 +9,7 @@ use crate::note::{Note, Severity};
 use crate::plan::{Operation, Plan, Transition};
 use crate::program::Setting;
 use crate::program::proof::{self, Code, Name};
-use crate::tables::audit::ProgramTolerance;
+use crate::tables::audit::{ProgramAloneCaps, ProgramTolerance};
 
 use super::super::super::context::Context;
 use super::super::super::finding::{AuditFinding, Section};
@@ -57,6 +57,26 @@ pub(super) fn setting(
     }
 }
 
+/// How grave findings about a program may be: of one without a plan the table `audit-program-alone` says it.
+pub(super) struct Caps<'k>(Vec<ProgramAloneCaps<'k>>);
+
+impl<'k> Caps<'k> {
+    /// Those of a plan.
+    ///
+    /// # Errors
+    /// The table cannot be read.
+    pub fn read(context: &Context<'k>) -> Result<Self, KnowledgeError> {
+        let rows = context.stated.is_of_program().then(|| context.shop.knowledge.rows());
+        Ok(Self(rows.transpose()?.unwrap_or_default()))
+    }
+
+    /// The severity of a finding: the gravest stand first in their order.
+    pub fn of(&self, code: &str, severity: Severity) -> Severity {
+        let cap = self.0.iter().find(|row| row.finding == code);
+        cap.map_or(severity, |row| severity.max(row.at_most))
+    }
+}
+
 /// A deviation of the program as a finding; `None` within the tolerance of rounding.
 ///
 /// # Errors
@@ -65,7 +85,7 @@ pub(super) fn deviation(
     context: &Context<'_>,
     graph: &Graph<'_>,
     plan: &Plan,
-    deviation: proof::ProgramFinding,
+    (deviation, caps): (proof::ProgramFinding, &Caps<'_>),
     own: bool,
     file: &Arc<str>,
     seen: &mut Vec<FindingFacts>,
@@ -91,6 +111,13 @@ pub(super) fn deviation(
             return Ok(());
         }
         severity = severity.min(may.severity);
+    }
+    if context.stated.is_of_program() {
+        severity = caps.of(deviation.code.name(), severity);
+        // Notes compare heights and ways with ours, and others are as good.
+        if severity == Severity::Note {
+            return Ok(());
+        }
     }
     let mut place = deviation.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
     let mut name = field(deviation.block);

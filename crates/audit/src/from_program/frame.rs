@@ -1,0 +1,73 @@
+//! Where the program's zero lies in the drawing. Most programs have that of the drawing; a corner or the lower face is seen from the
+//! points, where just one place fits them all.
+
+use std::collections::BTreeSet;
+
+use crate::motion::Position;
+use crate::part::Part;
+use crate::program::seen::SeenCut;
+use crate::units::Micrometres;
+
+use super::Placed;
+
+/// Points that differ by no more are one.
+const SAME: i64 = 20;
+
+fn near(a: Micrometres, b: Micrometres) -> bool {
+    (a - b).abs().micrometres() <= SAME
+}
+
+/// The group of holes at a point of the drawing.
+fn hole_at(part: &Part, x: Micrometres, y: Micrometres) -> Option<&str> {
+    let here = |hole: &&crate::part::Hole| hole.at.iter().any(|at| near(at.x, x) && near(at.y, y));
+    part.holes.iter().find(here).map(|hole| hole.name.as_str())
+}
+
+/// What is added to the program's coordinates to have the drawing's.
+pub(super) fn shift(seen: &[SeenCut], part: &Part) -> Position {
+    let points: BTreeSet<[Micrometres; 2]> = seen.iter().map(|cut| cut.at).collect();
+    let fits = |dx: Micrometres, dy: Micrometres| {
+        points.iter().filter(|at| hole_at(part, at[0] + dx, at[1] + dy).is_some()).count()
+    };
+    let mut moved = Position::default();
+    let as_drawn = fits(Micrometres::ZERO, Micrometres::ZERO);
+    if let Some(first) = points.first().filter(|_| as_drawn == 0 && points.len() > 1) {
+        let drawn = part.holes.iter().flat_map(|hole| &hole.at);
+        let mut found: Vec<(usize, [Micrometres; 2])> = drawn
+            .map(|at| [at.x - first[0], at.y - first[1]])
+            .map(|[dx, dy]| (fits(dx, dy), [dx, dy]))
+            .filter(|(count, _)| *count == points.len())
+            .collect();
+        found.sort();
+        found.dedup();
+        if let [(_, [dx, dy])] = found[..] {
+            (moved.x, moved.y) = (dx, dy);
+        }
+    }
+    // No tool goes below the upper face, and with the zero on the lower one all of them do.
+    let top = part.datum.top;
+    let below = |by: Micrometres| seen.iter().filter(|cut| cut.deepest + by < top).count();
+    let thickness = part.blank.thickness;
+    let high = !seen.is_empty() && below(Micrometres::ZERO) == 0;
+    let begin_over = |cut: &SeenCut| cut.begin - thickness >= top;
+    if high && below(-thickness) == seen.len() && seen.iter().all(begin_over) {
+        moved.z = -thickness;
+    } else if seen.iter().any(|cut| cut.deepest < top) && seen.iter().all(|cut| cut.begin - thickness >= top) {
+        // Its feeds begin a whole thickness above the face, as with the zero on the lower face.
+        moved.z = -thickness;
+    }
+    moved
+}
+
+/// The cuts at points of the drawing, and how many points of others there are.
+pub(super) fn placed(seen: Vec<SeenCut>, part: &Part, shift: Position) -> (Vec<Placed>, usize) {
+    let (mut placed, mut elsewhere) = (Vec::new(), BTreeSet::new());
+    for cut in seen {
+        let hole = hole_at(part, cut.at[0] + shift.x, cut.at[1] + shift.y).map(str::to_owned);
+        match hole {
+            Some(hole) => placed.push(Placed { cut, hole }),
+            None => _ = elsewhere.insert(cut.at),
+        }
+    }
+    (placed, elsewhere.len())
+}
