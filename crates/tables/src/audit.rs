@@ -275,6 +275,7 @@ rows! {
     pub struct ProgramAloneCaps of One("audit-program-alone") {
         finding: &'t str,
         at_most: Severity,
+        up_to: Option<f64>,
     }
 
     /// A cutting speed of a tool of which only the size is known, beside that of ours.

@@ -10,6 +10,9 @@ use crate::units::Micrometres;
 
 use super::Placed;
 
+/// How many points of a program are tried as points of the drawing.
+const TRIED: usize = 8;
+
 /// Points that differ by no more are one.
 const SAME: i64 = 20;
 
@@ -30,17 +33,22 @@ pub(super) fn shift(seen: &[SeenCut], part: &Part) -> Position {
         points.iter().filter(|at| hole_at(part, at[0] + dx, at[1] + dy).is_some()).count()
     };
     let mut moved = Position::default();
-    let as_drawn = fits(Micrometres::ZERO, Micrometres::ZERO);
-    if let Some(first) = points.first().filter(|_| as_drawn == 0 && points.len() > 1) {
-        let drawn = part.holes.iter().flat_map(|hole| &hole.at);
-        let mut found: Vec<(usize, [Micrometres; 2])> = drawn
-            .map(|at| [at.x - first[0], at.y - first[1]])
+    // A slip in one point, or a point of something else, leaves most of them where they belong.
+    let most = |count: usize| count * 2 > points.len();
+    if points.len() > 1 && !most(fits(Micrometres::ZERO, Micrometres::ZERO)) {
+        let drawn: Vec<_> = part.holes.iter().flat_map(|hole| &hole.at).collect();
+        let mut found: Vec<(usize, [Micrometres; 2])> = points
+            .iter()
+            .take(TRIED)
+            .flat_map(|own| drawn.iter().map(move |at| [at.x - own[0], at.y - own[1]]))
             .map(|[dx, dy]| (fits(dx, dy), [dx, dy]))
-            .filter(|(count, _)| *count == points.len())
+            .filter(|(count, _)| most(*count))
             .collect();
         found.sort();
         found.dedup();
-        if let [(_, [dx, dy])] = found[..] {
+        let best = found.last().copied();
+        let second = found.iter().rev().nth(1).map_or(0, |(count, _)| *count);
+        if let Some((_, [dx, dy])) = best.filter(|(count, _)| *count > second) {
             (moved.x, moved.y) = (dx, dy);
         }
     }

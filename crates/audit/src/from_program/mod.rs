@@ -110,11 +110,14 @@ impl ProgramAlone<'_> {
         let mut untold: BTreeSet<u32> = BTreeSet::new();
         let mut derived: BTreeMap<u32, Operation> = BTreeMap::new();
         let mut known: BTreeSet<(String, usize, Operation)> = BTreeSet::new();
-        for (of, meant) in placed.iter().zip(meant) {
-            let Some(Meant { operation, derived: is_derived }) = meant else {
-                untold.insert(of.cut.tool);
-                continue;
-            };
+        for (of, _) in placed.iter().zip(&meant).filter(|(_, meant)| meant.is_none()) {
+            untold.insert(of.cut.tool);
+        }
+        // The rest of such a hole hangs on what is not known of it.
+        let open: BTreeSet<&str> =
+            placed.iter().zip(&meant).filter(|(_, meant)| meant.is_none()).map(|(of, _)| of.hole.as_str()).collect();
+        for (of, meant) in placed.iter().zip(&meant).filter(|(of, _)| !open.contains(of.hole.as_str())) {
+            let Some(Meant { operation, derived: is_derived }) = *meant else { continue };
             if is_derived {
                 derived.entry(of.cut.tool).or_insert(operation);
             }
@@ -124,19 +127,20 @@ impl ProgramAlone<'_> {
             }
             let at = rows.len();
             let row = self.row(at, of, operation, told, &part, shift);
-            conditions.push(self.conditions(at, &of.cut, operation));
+            conditions.push(self.conditions(at, &of.cut));
             rows.push(row);
         }
         let numbers: BTreeSet<u32> = rows.iter().filter_map(|row: &Row| Some(row.tool.as_ref()?.value)).collect();
         let tools: Vec<Tool> = numbers.iter().map(|number| self.tool(*number, told)).collect();
         let mut remarks = Vec::new();
-        let remark = |note| Remark {
+        let graver = |severity, note| Remark {
             place: self.place(1),
             note,
-            severity: Severity::Note,
+            severity,
             section: Section::Missing,
             figure: None,
         };
+        let remark = |note| graver(Severity::Note, note);
         if !derived.is_empty() {
             let words = derived.iter().map(|(tool, operation)| {
                 Figure::List(vec![format!("T{tool} ").into_figure(), Figure::operation(operation.name())], "")
@@ -154,7 +158,9 @@ impl ProgramAlone<'_> {
         if !unsized_ones.is_empty() {
             remarks.push(remark(note!("audit-program-unsized", tools = listed(&unsized_ones))));
         }
-        if elsewhere > 0 {
+        if placed.is_empty() {
+            remarks.push(graver(Severity::Doubtful, note!("audit-program-nowhere", count = elsewhere)));
+        } else if elsewhere > 0 {
             remarks.push(remark(note!("audit-program-elsewhere", count = elsewhere)));
         }
         if shift != Position::default() {
@@ -214,7 +220,7 @@ impl ProgramAlone<'_> {
             figures.insert(Q::Also, figure(also, &place));
         }
         // How deep a spot is only the program knows; how deep a hole is, the drawing.
-        if operation == Operation::CentreDrill && !of.cut.mills {
+        if operation == Operation::CentreDrill {
             let depth = part.datum.top - (of.cut.deepest + shift.z);
             if depth > Micrometres::ZERO {
                 figures.insert(Q::Depth, figure(depth.to_mm(), &place));
@@ -236,7 +242,7 @@ impl ProgramAlone<'_> {
         }
     }
 
-    fn conditions(&self, at: usize, cut: &SeenCut, operation: Operation) -> Conditions {
+    fn conditions(&self, at: usize, cut: &SeenCut) -> Conditions {
         let place = self.place(cut.block.line);
         let mut figures = Figures::new();
         if cut.speed.0 > 0.0 {
@@ -250,7 +256,7 @@ impl ProgramAlone<'_> {
             place,
             rows: vec![at],
             is_limited: false,
-            rounds: cut.mills || operation == Operation::Mill,
+            rounds: cut.mills,
             factors: BTreeMap::new(),
             figures,
         }

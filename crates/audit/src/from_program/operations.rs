@@ -47,7 +47,7 @@ fn one(at: usize, placed: &[Placed], part: &Part, told: &ToldTools, shift: Posit
         let operation = if own.cut.turned_round {
             Operation::Tap
         } else if own.cut.mills {
-            Operation::Mill
+            return None;
         } else if !opened && before.is_empty() && spot(own) && after.iter().any(|other| {
             part.datum.top - (other.cut.deepest + shift.z) > depth.ratio(2, 1)
         }) {
@@ -77,7 +77,7 @@ fn one(at: usize, placed: &[Placed], part: &Part, told: &ToldTools, shift: Posit
             None if later(kind) => return None,
             None => Operation::FinishBore,
         },
-        ToolKind::Mill if own.cut.mills => Operation::Mill,
+        // What of a hole is milled, its bore, a floor or an opening, the circles alone do not say.
         ToolKind::Mill => return None,
         ToolKind::Tap => Operation::Tap,
         ToolKind::Countersink if hole.countersink.is_none() && hole.chamfer.is_some() => Operation::Chamfer,

@@ -21,7 +21,7 @@ pub struct SeenCut {
     pub deepest: Micrometres,
     /// How many times it fed downwards from another height.
     pub steps: usize,
-    /// The fastest feed downwards; of circles that of the circles.
+    /// The feed downwards; of circles that of the circles.
     pub feed: MillimetresPerMinute,
     /// The speed at which it cut.
     pub speed: RevsPerMinute,
@@ -130,13 +130,15 @@ impl Walk {
         let goes_on = std::mem::replace(&mut self.feeds_down, down);
         match self.last() {
             Some(cut) if down => {
-                cut.steps += usize::from(!goes_on);
-                if !cut.mills {
-                    cut.feed = MillimetresPerMinute(cut.feed.0.max(feed.0));
+                // A feed in the air, to the height where the cycle begins, is no part of the cut.
+                if feed.0 < cut.feed.0 && step.at.z < cut.deepest {
+                    (cut.feed, cut.begin, cut.steps) = (feed, from.z, 0);
+                    cut.block = step.block;
                 }
-                cut.begin = cut.begin.max(from.z);
+                cut.steps += usize::from(!goes_on);
                 if step.at.z < cut.deepest {
-                    (cut.deepest, cut.out_at_feed) = (step.at.z, false);
+                    (cut.deepest, cut.out_at_feed, cut.speed) = (step.at.z, false, speed);
+                    cut.begin = cut.begin.max(from.z);
                 }
             }
             Some(cut) => cut.out_at_feed |= from.z == cut.deepest,

@@ -24,3 +24,5 @@ audit-program-no-holes = no hole of this program could be read
 audit-program-no-holes-help = see what the control says of it: `technolog check`
 audit-program-pace = { $speed } m/min is { $share } % of the speed that a tool of high-speed steel has here
     .help = say in the comment or the list what tool it is; with a tool of high-speed steel take S { $rpm }
+audit-program-nowhere = none of the { $count } points at which the program goes down is a hole of the drawing: nothing of it can be checked
+    .help = name the part of this program, and the zero that it counts from

@@ -72,8 +72,44 @@ impl<'k> Caps<'k> {
 
     /// The severity of a finding: the gravest stand first in their order.
     pub fn of(&self, code: &str, severity: Severity) -> Severity {
+        self.of_share(code, severity, None)
+    }
+
+    /// The same of a figure that is so many times ours.
+    fn of_share(&self, code: &str, severity: Severity, times: Option<f64>) -> Severity {
         let cap = self.0.iter().find(|row| row.finding == code);
-        cap.map_or(severity, |row| severity.max(row.at_most))
+        let holds = |row: &&ProgramAloneCaps<'_>| row.up_to.zip(times).is_none_or(|(most, times)| times <= most);
+        cap.filter(holds).map_or(severity, |row| severity.max(row.at_most))
+    }
+}
+
+/// How far a blind hole is cut deeper than the drawing asks.
+enum Deeper {
+    /// It is not, or by no more than room for chips and the lead of a reamer.
+    No,
+    /// By more than half its width.
+    Far,
+    /// Out of the part.
+    Out,
+}
+
+fn deeper(context: &Context<'_>, deviation: &proof::ProgramFinding) -> Deeper {
+    let part = &context.stated.part;
+    let hole = deviation.hole().and_then(|name| part.holes.iter().find(|hole| hole.name == name));
+    let Some((hole, made)) = hole.filter(|hole| !hole.through).zip(deviation.length(Name::Made)) else {
+        return Deeper::No;
+    };
+    match deviation.length(Name::Needed) {
+        Some(needed) if deviation.code == Code::Deeper => {
+            if made <= part.datum.top - part.blank.thickness {
+                Deeper::Out
+            } else if needed - made > hole.diameter.nominal.half() {
+                Deeper::Far
+            } else {
+                Deeper::No
+            }
+        }
+        _ => Deeper::No,
     }
 }
 
@@ -113,7 +149,15 @@ pub(super) fn deviation(
         severity = severity.min(may.severity);
     }
     if context.stated.is_of_program() {
-        severity = caps.of(deviation.code.name(), severity);
+        severity = match deeper(context, &deviation) {
+            Deeper::Out => Severity::Error,
+            Deeper::Far => severity,
+            Deeper::No => {
+                let made = deviation.length(Name::Made).zip(deviation.length(Name::Needed));
+                let times = made.map(|(made, needed)| made.to_mm() / needed.to_mm());
+                caps.of_share(deviation.code.name(), severity, times)
+            }
+        };
         // Notes compare heights and ways with ours, and others are as good.
         if severity == Severity::Note {
             return Ok(());
