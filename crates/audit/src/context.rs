@@ -17,10 +17,13 @@ use crate::tooling::named::NamedCutter;
 use crate::units::{Micrometres, RevsPerMinute};
 
 use super::auditor::Auditor;
-use super::near::{NameMatch, same_table};
+use super::near::{Likeness, NameMatch, likeness, plain, same_table};
 use super::of_dimensions;
 use super::quantity::{Id, Quantity, Scope};
-use super::stated::{Row, Stated};
+use super::stated::{Row, Stated, Text, Tool};
+
+/// What goes beyond a narrow hole: overruns of 3 to 5 mm are usual whatever the diameter.
+const LEAST_OVERRUN: Micrometres = Micrometres::from_mm(6);
 
 /// The context of an audit.
 #[derive(Debug)]
@@ -61,6 +64,9 @@ impl<'a> Context<'a> {
             let mut found = auditor.cutters.find(named, of_table);
             if matches!(found, NameMatch::Unknown(_)) {
                 found = auditor.cutters.find(named, |_| true);
+            }
+            if let Some(own) = of_standard(stated, tool, auditor) {
+                found = NameMatch::Found(own);
             }
             let named = found.value();
             by_dimensions.push(named.and_then(|named| of_dimensions::meant(stated, at, named, auditor, &shop)));
@@ -133,6 +139,19 @@ impl<'a> Context<'a> {
         let alike =
             |found: &&Transition| diameter.is_none_or(|figure| (figure.value - found.diameter_mm.to_mm()).abs() < 1e-6);
         self.same_transition(row).filter(alike)
+    }
+
+    /// Whether the depth of a row may be the way of its tool: a list of tools does not say which it is, and through a hole the tool goes on.
+    pub fn runs_out(&self, hole: &Hole, row: usize) -> bool {
+        let through = hole.through && hole.steps.is_empty();
+        through && self.stated.is_list && self.stated.rows.get(row).is_some_and(Row::of_main_cylinder)
+    }
+
+    /// Whether a depth, mm, is that of a through hole with the point of the drill and what goes beyond it: as far again as the point, and no
+    /// more than a diameter.
+    pub fn is_overrun(&self, hole: &Hole, depth: f64) -> bool {
+        let (least, most) = (hole.depth, hole.depth + hole.diameter.nominal.max(LEAST_OVERRUN));
+        (least..=most).contains(&Micrometres::from_mm_rounded(depth))
     }
 
     /// Whether the countersink of a row goes round its edge, as that of the program's plan does: it is narrower than the edge.
@@ -261,6 +280,25 @@ impl<'a> Context<'a> {
         let corrector = tool.figures.get(&Quantity::Corrector)?;
         self.calls.get(&(corrector.value as u32)).copied()
     }
+}
+
+/// The cutter of a tool that is named by its kind, its standard and its size alone: `Свердло ГОСТ 10903-77`, Ø10.
+fn of_standard<'a>(stated: &Stated, tool: &Tool, auditor: &Auditor<'a>) -> Option<NamedCutter<'a>> {
+    let has_number = |text: &Text| text.value.chars().any(|sign| sign.is_ascii_digit());
+    let standard = &tool.standard.as_ref().filter(|_| !tool.designation.as_ref().is_some_and(has_number))?.value;
+    let diameter = Micrometres::from_mm_rounded(tool.figures.get(&Quantity::Diameter)?.value);
+    let written: String = plain(standard).into_iter().collect();
+    let belongs = |cutter: &&NamedCutter<'a>| {
+        let row = cutter.row.row;
+        let of_table = row.table.standard.as_deref().is_some_and(|own| likeness(standard, own) == Likeness::Same);
+        of_table || plain(row.place()).into_iter().collect::<String>().contains(&written)
+    };
+    let makes = |cutter: &&NamedCutter<'a>| {
+        let mut rows = stated.rows_of_tool(tool.number);
+        rows.all(|(_, row)| cutter.head.operations.contains(&row.operation.value))
+    };
+    let of_size = |cutter: &&NamedCutter<'a>| cutter.row.diameter == Some(diameter);
+    auditor.cutters.values().find(|cutter| of_size(cutter) && makes(cutter) && belongs(cutter)).cloned()
 }
 
 /// The word with which a program calls each offset register.

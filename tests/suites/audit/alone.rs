@@ -9,6 +9,7 @@ use technolog::part::Part;
 use technolog::plan::CuttingMethod;
 use technolog::program::proof::PlannedJob;
 use technolog::program::written::Form;
+use technolog::shop::Shop;
 use technolog::{planner, sheets};
 use technolog_testing::{AUDITOR, KNOWLEDGE, languages, read};
 
@@ -19,6 +20,10 @@ fn text(name: &str) -> String {
 fn audited(program: &str, text: &str, control: &str, part: Option<&Part>) -> Audit {
     let alone = ProgramAlone { file: program, text, control, setting: None, part, tools: None };
     AUDITOR.audit(&alone.read(&KNOWLEDGE).unwrap().unwrap()).unwrap()
+}
+
+fn form(part: &Part) -> Form {
+    Form::read(&Shop::new(part, CuttingMethod::default(), &KNOWLEDGE).unwrap()).unwrap()
 }
 
 fn grave(audit: &Audit) -> Vec<String> {
@@ -73,7 +78,7 @@ fn no_program_of_ours_is_blamed() {
         let plan = planner::plan(&part, CuttingMethod::default(), &KNOWLEDGE).unwrap();
         for (control, language) in languages() {
             let planned = PlannedJob::of(plan.clone(), &language, &KNOWLEDGE).unwrap();
-            let text = language.write(&planned.job, Form::default()).text();
+            let text = language.write(&planned.job, form(&part)).text();
             let audit = audited("program.nc", &text, control, Some(&part));
             if !grave(&audit).is_empty() {
                 blamed.push(format!("{} {control}: {:?}", path.display(), grave(&audit)));
@@ -145,7 +150,7 @@ fn a_list_names_the_tools_of_a_program() {
     let plan = planner::plan(&part, CuttingMethod::default(), &KNOWLEDGE).unwrap();
     let (control, language) = languages().into_iter().next().unwrap();
     let planned = PlannedJob::of(plan, &language, &KNOWLEDGE).unwrap();
-    let program = language.write(&planned.job, Form::default()).text();
+    let program = language.write(&planned.job, form(&part)).text();
     let audit_with = |list: &str| {
         let tables = sheets::read(sheets::Kind::Csv, list.as_bytes()).unwrap();
         let none = |_: &str| Err(String::new());
