@@ -11,6 +11,7 @@ use crate::note::{Figure, IntoFigure, Note, Severity};
 use crate::part::{Hole, Point};
 use crate::plan::{Operation, Plan, Transition};
 use crate::shop::Shop;
+use crate::tables::audit::StandardsAlike;
 use crate::tables::holders::HolderRow;
 use crate::tables::machines::MachineQuantity;
 use crate::tooling::named::NamedCutter;
@@ -287,11 +288,13 @@ fn of_standard<'a>(stated: &Stated, tool: &Tool, auditor: &Auditor<'a>) -> Optio
     let has_number = |text: &Text| text.value.chars().any(|sign| sign.is_ascii_digit());
     let standard = &tool.standard.as_ref().filter(|_| !tool.designation.as_ref().is_some_and(has_number))?.value;
     let diameter = Micrometres::from_mm_rounded(tool.figures.get(&Quantity::Diameter)?.value);
-    let written: String = plain(standard).into_iter().collect();
+    let alike = auditor.knowledge.rows::<StandardsAlike<'_>>().unwrap_or_default();
+    let also: Vec<&str> =
+        alike.iter().filter(|row| plain(row.standard) == plain(standard)).map(|row| row.tools).collect();
     let belongs = |cutter: &&NamedCutter<'a>| {
         let row = cutter.row.row;
         let of_table = row.table.standard.as_deref().is_some_and(|own| likeness(standard, own) == Likeness::Same);
-        of_table || plain(row.place()).into_iter().collect::<String>().contains(&written)
+        of_table || also.contains(&row.table.id.as_str())
     };
     let makes = |cutter: &&NamedCutter<'a>| {
         let mut rows = stated.rows_of_tool(tool.number);

@@ -28,14 +28,14 @@ pub(super) fn leave_out(
         // What the control finds in a program needs no part.
         of_program && finding.section == Section::Program
             || rows.iter().any(|row| {
-            let said = match row.needs {
-                Need::Nothing => true,
-                Need::Material => !material,
-                Need::Machine => !machine,
-                Need::Program => of_program,
-            };
-            row.rule == finding.rule && said
-        })
+                let said = match row.needs {
+                    Need::Nothing => true,
+                    Need::Material => !material,
+                    Need::Machine => !machine,
+                    Need::Program => of_program,
+                };
+                row.rule == finding.rule && said
+            })
     };
     // What follows from something that is not judged is not judged either.
     let mut left: BTreeSet<String> = BTreeSet::new();

@@ -264,6 +264,12 @@ rows! {
         value: f64,
     }
 
+    /// State standards whose tools a table has under another standard's designations.
+    pub struct StandardsAlike of One("audit-standards-alike") {
+        standard: &'t str,
+        tools: &'t str,
+    }
+
     /// What words in the comments of programs say of tools, the narrower before the wider.
     pub struct ProgramWords of One("audit-program-words") {
         word: &'t str,

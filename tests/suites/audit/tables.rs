@@ -200,8 +200,11 @@ fn a_list_is_judged_by_what_standards_and_practice_allow() {
     assert_eq!(all(&of_text(own, Some(&plate())).unwrap()), [""; 0]);
 
     // Through a blind hole.
-    let blind = format!("{head}A;центрування;4,8;2,4;035-2317-0102;0,1;2240;224\nA;свердління;8;28;035-2300-1253;0,36;2240;806,4\n");
-    let cover = std::fs::read_to_string(format!("{}/tests/audit-alone/cover.yaml", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let blind = format!(
+        "{head}A;центрування;4,8;2,4;035-2317-0102;0,1;2240;224\nA;свердління;8;28;035-2300-1253;0,36;2240;806,4\n"
+    );
+    let cover =
+        std::fs::read_to_string(format!("{}/tests/audit-alone/cover.yaml", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let blind = found(&of_text(&blind, Some(&technolog_testing::read(&cover))).unwrap());
     assert!(blind.iter().any(|one| one.starts_with("error audit-breaks-through 3:4")), "{blind:?}");
 }

@@ -96,7 +96,9 @@ fn backwards(
             (after, window) = (before, (before, before));
             continue;
         }
-        if let Some(missing) = missing(context, hole, rows, index).filter(|_| stated.is_none() && stock > high.ratio(3, 2)) {
+        if let Some(missing) =
+            missing(context, hole, rows, index).filter(|_| stated.is_none() && stock > high.ratio(3, 2))
+        {
             findings.push(without(context, of_row, missing, (stock, high), &range));
             (after, window) = (before, (before, before));
             continue;

@@ -52,16 +52,11 @@ pub(super) fn shift(seen: &[SeenCut], part: &Part) -> Position {
             (moved.x, moved.y) = (dx, dy);
         }
     }
-    // No tool goes below the upper face, and with the zero on the lower one all of them do.
-    let top = part.datum.top;
-    let below = |by: Micrometres| seen.iter().filter(|cut| cut.deepest + by < top).count();
-    let thickness = part.blank.thickness;
-    let high = !seen.is_empty() && below(Micrometres::ZERO) == 0;
-    let begin_over = |cut: &SeenCut| cut.begin - thickness >= top;
-    if high && below(-thickness) == seen.len() && seen.iter().all(begin_over) {
-        moved.z = -thickness;
-    } else if seen.iter().any(|cut| cut.deepest < top) && seen.iter().all(|cut| cut.begin - thickness >= top) {
-        // Its feeds begin a whole thickness above the face, as with the zero on the lower face.
+    // With the zero on the lower face most feeds begin a whole thickness and more above the upper one.
+    let (top, thickness) = (part.datum.top, part.blank.thickness);
+    let high = seen.iter().filter(|cut| cut.begin - thickness >= top).count();
+    let reaches = seen.iter().any(|cut| cut.deepest - thickness < top);
+    if high * 2 > seen.len() && reaches {
         moved.z = -thickness;
     }
     moved

@@ -133,13 +133,8 @@ impl ProgramAlone<'_> {
         let numbers: BTreeSet<u32> = rows.iter().filter_map(|row: &Row| Some(row.tool.as_ref()?.value)).collect();
         let tools: Vec<Tool> = numbers.iter().map(|number| self.tool(*number, told)).collect();
         let mut remarks = Vec::new();
-        let graver = |severity, note| Remark {
-            place: self.place(1),
-            note,
-            severity,
-            section: Section::Missing,
-            figure: None,
-        };
+        let graver =
+            |severity, note| Remark { place: self.place(1), note, severity, section: Section::Missing, figure: None };
         let remark = |note| graver(Severity::Note, note);
         if !derived.is_empty() {
             let words = derived.iter().map(|(tool, operation)| {
@@ -147,9 +142,7 @@ impl ProgramAlone<'_> {
             });
             remarks.push(remark(note!("audit-program-derived", tools = Figure::List(words.collect(), ", "))));
         }
-        let listed = |tools: &BTreeSet<u32>| {
-            tools.iter().map(|tool| format!("T{tool}")).collect::<Vec<_>>().join(", ")
-        };
+        let listed = |tools: &BTreeSet<u32>| tools.iter().map(|tool| format!("T{tool}")).collect::<Vec<_>>().join(", ");
         if !untold.is_empty() {
             remarks.push(remark(note!("audit-program-untold", tools = listed(&untold))));
         }
@@ -252,14 +245,7 @@ impl ProgramAlone<'_> {
                 figures.insert(Q::Feed, figure(cut.feed.0 / cut.speed.0, &place));
             }
         }
-        Conditions {
-            place,
-            rows: vec![at],
-            is_limited: false,
-            rounds: cut.mills,
-            factors: BTreeMap::new(),
-            figures,
-        }
+        Conditions { place, rows: vec![at], is_limited: false, rounds: cut.mills, factors: BTreeMap::new(), figures }
     }
 
     fn tool(&self, number: u32, told: &ToldTools) -> Tool {
@@ -352,4 +338,3 @@ fn registers(steps: &[MotionStep]) -> String {
     let pairs: Vec<String> = called.iter().map(|number| format!("{number}: 0")).collect();
     format!("correctors: {{{}}}\n", pairs.join(", "))
 }
-

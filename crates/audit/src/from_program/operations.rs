@@ -17,8 +17,8 @@ pub(super) struct Meant {
     pub derived: bool,
 }
 
-/// A spot goes no deeper than the radius of its hole and a little.
-const SPOT_MORE: Micrometres = Micrometres::from_mm(1);
+/// A spot goes no deeper than the radius of its hole or thread and the chamfer that it may break.
+const SPOT_MORE: Micrometres = Micrometres::from_mm(2);
 
 /// The transitions of the cuts, in their order; none where nothing sure is known.
 pub(super) fn meant(placed: &[Placed], part: &Part, told: &ToldTools, shift: Position) -> Vec<Option<Meant>> {
@@ -33,8 +33,11 @@ fn one(at: usize, placed: &[Placed], part: &Part, told: &ToldTools, shift: Posit
     let after: Vec<&Placed> = placed.iter().skip(at + 1).filter(here).collect();
     let hole = part.holes.iter().find(|hole| hole.name == own.hole)?;
     let depth = part.datum.top - (own.cut.deepest + shift.z);
-    let spot = |other: &Placed| {
-        part.datum.top - (other.cut.deepest + shift.z) <= hole.diameter.nominal.half() + SPOT_MORE
+    let thread = hole.thread_at(None).map_or(Micrometres::ZERO, |thread| thread.size);
+    let most = hole.diameter.nominal.max(thread).half() + SPOT_MORE;
+    let spot = |other: &Placed| match of(other) {
+        Some(kind) => kind == ToolKind::Centring,
+        None => part.datum.top - (other.cut.deepest + shift.z) <= most,
     };
     let tool = told.of(own.cut.tool);
     let stage = tool.and_then(|tool| tool.stage);
@@ -48,9 +51,11 @@ fn one(at: usize, placed: &[Placed], part: &Part, told: &ToldTools, shift: Posit
             Operation::Tap
         } else if own.cut.mills {
             return None;
-        } else if !opened && before.is_empty() && spot(own) && after.iter().any(|other| {
-            part.datum.top - (other.cut.deepest + shift.z) > depth.ratio(2, 1)
-        }) {
+        } else if !opened
+            && before.is_empty()
+            && spot(own)
+            && after.iter().any(|other| part.datum.top - (other.cut.deepest + shift.z) > depth.ratio(2, 1))
+        {
             Operation::CentreDrill
         } else if !opened && !spot(own) {
             Operation::Drill

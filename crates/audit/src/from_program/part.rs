@@ -17,12 +17,7 @@ const UNTOLD: f64 = 10.0;
 
 /// A part of the holes of a program: points at which the same tools work are one group. None where the holes make no part: there is
 /// none, or too many.
-pub(super) fn made(
-    file: &str,
-    seen: &[SeenCut],
-    told: &ToldTools,
-    knowledge: &Knowledge,
-) -> Option<Part> {
+pub(super) fn made(file: &str, seen: &[SeenCut], told: &ToldTools, knowledge: &Knowledge) -> Option<Part> {
     let mut tools: BTreeMap<[Micrometres; 2], (BTreeSet<usize>, Micrometres)> = BTreeMap::new();
     for cut in seen {
         let (sections, deepest) = tools.entry(cut.at).or_default();

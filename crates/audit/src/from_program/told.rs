@@ -129,7 +129,8 @@ impl Told {
             let begins = |at: usize| !comment[..at].ends_with(|sign: char| sign.is_ascii_alphanumeric());
             // A short word is a whole one: TAP is no TAPER.
             let ends = |at: usize| {
-                phrase.len() > SHORT || !comment[at + phrase.len()..].starts_with(|sign: char| sign.is_ascii_alphabetic())
+                phrase.len() > SHORT
+                    || !comment[at + phrase.len()..].starts_with(|sign: char| sign.is_ascii_alphabetic())
             };
             comment.match_indices(phrase).any(|(at, _)| begins(at) && ends(at))
         };
@@ -187,7 +188,9 @@ fn sizes(comment: &str) -> (Option<f64>, Option<f64>) {
     };
     for (at, word) in words.iter().enumerate() {
         let next = words.get(at + 1).copied().unwrap_or_default();
-        if let Some(rest) = ["DIAMETER", "DIAM", "DIA", "DIAM.", "DIA.", "D"].iter().find_map(|sign| word.strip_prefix(sign)) {
+        if let Some(rest) =
+            ["DIAMETER", "DIAM", "DIA", "DIAM.", "DIA.", "D"].iter().find_map(|sign| word.strip_prefix(sign))
+        {
             let rest = rest.trim_start_matches('.');
             let own = number(rest).or_else(|| number(next).filter(|_| rest.is_empty()));
             if let Some(own) = own {

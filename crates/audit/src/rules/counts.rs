@@ -69,7 +69,10 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             if context.runs_out(hole, at) {
                 depth.judge = Some(Box::new(move |value, _| match context.is_overrun(hole, value) {
                     true => None,
-                    false => Some((Severity::Wrong, Note::new("audit-depth-of-hole").with("hole", Figure::called(&hole.name)))),
+                    false => Some((
+                        Severity::Wrong,
+                        Note::new("audit-depth-of-hole").with("hole", Figure::called(&hole.name)),
+                    )),
                 }));
             }
             graph.add(depth);

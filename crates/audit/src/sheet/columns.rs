@@ -82,7 +82,10 @@ impl Called {
         // `Подача S`: the name with its symbol behind it.
         if let Some(symbol) = column.quantity().map(Quantity::symbol) {
             let with_symbol = |message: &str| -> Vec<String> {
-                Lang::all().flat_map(|lang| called(lang, message)).map(|name| norm(&format!("{name} {symbol}"))).collect()
+                Lang::all()
+                    .flat_map(|lang| called(lang, message))
+                    .map(|name| norm(&format!("{name} {symbol}")))
+                    .collect()
             };
             names.extend(with_symbol(&column.message()));
         }

@@ -34,6 +34,9 @@ use stated_plan::{NotComparable, Reading, comparable_plan, unordered};
 /// The travel of a quill of which nobody knows where it stands: no program goes beyond it.
 const UNKNOWN_REACH: Micrometres = Micrometres::from_mm(20_000);
 
+/// What a control finds that another machine may do.
+const OF_MACHINE: [&str; 4] = ["speed-beyond-machine", "no-spindle-step", "beyond-travel-of", "span-beyond-travel"];
+
 /// The transitions of every hole as a plan states them; none if it does not say enough.
 ///
 /// # Errors
@@ -57,7 +60,9 @@ pub(super) fn check<'a>(
         None => Setting::default(),
     };
     let as_stated = match program.alone {
-        Some(Alone { is_proven: false, .. }) => Err(NotComparable { note: Note::new("audit-program-not-compared"), place: None }),
+        Some(Alone { is_proven: false, .. }) => {
+            Err(NotComparable { note: Note::new("audit-program-not-compared"), place: None })
+        }
         _ => comparable_plan(context, graph, &setting, Reading::Stated)?,
     };
     let job = as_stated.as_ref().ok().map(|plan| job::make(plan, &context.shop)).transpose()?;
@@ -65,6 +70,11 @@ pub(super) fn check<'a>(
     let mut machine = context.shop.machine.clone();
     if program.alone.is_some_and(|alone| !alone.is_set) {
         machine.travel_z = UNKNOWN_REACH;
+    }
+    // Without a part no machine is named, and a stand-in runs the program.
+    let unknown = context.stated.unsaid.is_some_and(|unsaid| unsaid.machine);
+    if unknown {
+        machine.can_tap = true;
     }
     let run = context.auditor.run(program, &language, &machine, &set);
 
@@ -74,6 +84,7 @@ pub(super) fn check<'a>(
     let caps = judged::Caps::read(context)?;
     // What the control remarks besides, `technolog check` says.
     let alone = context.stated.is_of_program();
+    let faults = faults.filter(|fault| !(unknown && OF_MACHINE.contains(&fault.code)));
     let faults = faults.filter(|fault| !alone || caps.of(fault.code, fault.severity) < Severity::Note);
     let mut seen: Vec<FindingFacts> = faults.map(|fault| of_fault(fault, &caps, &run.steps, &file)).collect();
     let missing = |NotComparable { note, place }: NotComparable| {
@@ -204,7 +215,8 @@ fn right(
 fn of_fault(fault: &Fault, caps: &judged::Caps<'_>, steps: &[MotionStep], file: &Arc<str>) -> FindingFacts {
     let place = Place { file: file.clone(), line: fault.span.line, column: fault.span.column, width: fault.span.width };
     let field = fault.path().map_or_else(|| "program".to_owned(), |path| format!("program.{path}"));
-    let finding = AuditFinding::new(caps.of(fault.code, fault.severity), Section::Program, field, fault.note.clone()).at(&place);
+    let finding =
+        AuditFinding::new(caps.of(fault.code, fault.severity), Section::Program, field, fault.note.clone()).at(&place);
     let main = fault.calls.first().map_or(fault.span.line, |call| call.from.line);
     let ends = steps.iter().filter(|step| step.motion == Motion::End).map(|step| step.block.line).max();
     let mut changes = steps.iter().rev().filter_map(|step| match step.motion {
