@@ -280,7 +280,7 @@ rows! {
     /// How grave what the proof finds may be at most where the plan was read out of the program.
     pub struct ProgramAloneCaps of One("audit-program-alone") {
         finding: &'t str,
-        at_most: Severity,
+        severity: Severity,
         up_to: Option<f64>,
     }
 

@@ -79,7 +79,7 @@ impl<'k> Caps<'k> {
     fn of_share(&self, code: &str, severity: Severity, times: Option<f64>) -> Severity {
         let cap = self.0.iter().find(|row| row.finding == code);
         let holds = |row: &&ProgramAloneCaps<'_>| row.up_to.zip(times).is_none_or(|(most, times)| times <= most);
-        cap.filter(holds).map_or(severity, |row| severity.max(row.at_most))
+        cap.filter(holds).map_or(severity, |row| severity.max(row.severity))
     }
 }
 
