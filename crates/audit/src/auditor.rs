@@ -131,7 +131,10 @@ impl<'k> Auditor<'k> {
         machine: &Machine<'_>,
         setting: &Setting,
     ) -> SimulatedProgram {
-        let key = format!("{} {} {setting:?}\n{}", program.control, machine.table.id, program.text);
+        let key = format!(
+            "{} {} {:?} {} {setting:?}\n{}",
+            program.control, machine.table.id, machine.travel_z, machine.can_tap, program.text
+        );
         self.runs.get(key, || {
             let mut steps: Vec<MotionStep> = Vec::new();
             let faults = language.check(&program.text, machine, setting, &mut steps);

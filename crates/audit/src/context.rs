@@ -7,19 +7,24 @@ use crate::error::KnowledgeError;
 use crate::knowledge::units::Percent;
 use crate::knowledge::vocabulary::Shank;
 use crate::knowledge::{Question, TypedAnswer};
-use crate::note::{Figure, IntoFigure, Note};
+use crate::note::{Figure, IntoFigure, Note, Severity};
 use crate::part::{Hole, Point};
 use crate::plan::{Operation, Plan, Transition};
 use crate::shop::Shop;
+use crate::tables::audit::StandardsAlike;
 use crate::tables::holders::HolderRow;
+use crate::tables::machines::MachineQuantity;
 use crate::tooling::named::NamedCutter;
 use crate::units::{Micrometres, RevsPerMinute};
 
 use super::auditor::Auditor;
-use super::near::{NameMatch, same_table};
+use super::near::{Likeness, NameMatch, likeness, plain, same_table};
 use super::of_dimensions;
 use super::quantity::{Id, Quantity, Scope};
-use super::stated::{Row, Stated};
+use super::stated::{Row, Stated, Text, Tool};
+
+/// What goes beyond a narrow hole: overruns of 3 to 5 mm are usual whatever the diameter.
+const LEAST_OVERRUN: Micrometres = Micrometres::from_mm(6);
 
 /// The context of an audit.
 #[derive(Debug)]
@@ -60,6 +65,9 @@ impl<'a> Context<'a> {
             let mut found = auditor.cutters.find(named, of_table);
             if matches!(found, NameMatch::Unknown(_)) {
                 found = auditor.cutters.find(named, |_| true);
+            }
+            if let Some(own) = of_standard(stated, tool, auditor) {
+                found = NameMatch::Found(own);
             }
             let named = found.value();
             by_dimensions.push(named.and_then(|named| of_dimensions::meant(stated, at, named, auditor, &shop)));
@@ -134,6 +142,19 @@ impl<'a> Context<'a> {
         self.same_transition(row).filter(alike)
     }
 
+    /// Whether the depth of a row may be the way of its tool: a list of tools does not say which it is, and through a hole the tool goes on.
+    pub fn runs_out(&self, hole: &Hole, row: usize) -> bool {
+        let through = hole.through && hole.steps.is_empty();
+        through && self.stated.is_list && self.stated.rows.get(row).is_some_and(Row::of_main_cylinder)
+    }
+
+    /// Whether a depth, mm, is that of a through hole with the point of the drill and what goes beyond it: as far again as the point, and no
+    /// more than a diameter.
+    pub fn is_overrun(&self, hole: &Hole, depth: f64) -> bool {
+        let (least, most) = (hole.depth, hole.depth + hole.diameter.nominal.max(LEAST_OVERRUN));
+        (least..=most).contains(&Micrometres::from_mm_rounded(depth))
+    }
+
     /// Whether the countersink of a row goes round its edge, as that of the program's plan does: it is narrower than the edge.
     pub fn goes_round(&self, row: usize) -> bool {
         let Some(own) = self.stated.rows.get(row).filter(|own| own.operation.value.is_of_edge()) else { return false };
@@ -202,6 +223,13 @@ impl<'a> Context<'a> {
         changes
     }
 
+    /// How grave a speed beside the steps of the machine is: a series that nobody has confirmed makes it doubtful at most.
+    pub fn of_series(&self, severity: Severity) -> Severity {
+        let series = self.shop.machine.row(MachineQuantity::SpindleSpeeds);
+        let confirmed = series.is_ok_and(|row| row.row().unconfirmed.is_none());
+        if confirmed { severity } else { severity.max(Severity::Doubtful) }
+    }
+
     /// What is wrong with a speed that the machine cannot turn at all.
     pub fn beyond_series(&self, speed: f64) -> Option<Note> {
         let steps = &self.shop.machine.spindle_steps;
@@ -253,6 +281,27 @@ impl<'a> Context<'a> {
         let corrector = tool.figures.get(&Quantity::Corrector)?;
         self.calls.get(&(corrector.value as u32)).copied()
     }
+}
+
+/// The cutter of a tool that is named by its kind, its standard and its size alone: `Свердло ГОСТ 10903-77`, Ø10.
+fn of_standard<'a>(stated: &Stated, tool: &Tool, auditor: &Auditor<'a>) -> Option<NamedCutter<'a>> {
+    let has_number = |text: &Text| text.value.chars().any(|sign| sign.is_ascii_digit());
+    let standard = &tool.standard.as_ref().filter(|_| !tool.designation.as_ref().is_some_and(has_number))?.value;
+    let diameter = Micrometres::from_mm_rounded(tool.figures.get(&Quantity::Diameter)?.value);
+    let alike = auditor.knowledge.rows::<StandardsAlike<'_>>().unwrap_or_default();
+    let also: Vec<&str> =
+        alike.iter().filter(|row| plain(row.standard) == plain(standard)).map(|row| row.tools).collect();
+    let belongs = |cutter: &&NamedCutter<'a>| {
+        let row = cutter.row.row;
+        let of_table = row.table.standard.as_deref().is_some_and(|own| likeness(standard, own) == Likeness::Same);
+        of_table || also.contains(&row.table.id.as_str())
+    };
+    let makes = |cutter: &&NamedCutter<'a>| {
+        let mut rows = stated.rows_of_tool(tool.number);
+        rows.all(|(_, row)| cutter.head.operations.contains(&row.operation.value))
+    };
+    let of_size = |cutter: &&NamedCutter<'a>| cutter.row.diameter == Some(diameter);
+    auditor.cutters.values().find(|cutter| of_size(cutter) && makes(cutter) && belongs(cutter)).cloned()
 }
 
 /// The word with which a program calls each offset register.

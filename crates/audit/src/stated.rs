@@ -115,6 +115,11 @@ pub struct Remark {
 }
 
 impl Stated {
+    /// Whether the plan is read out of a program.
+    pub fn is_of_program(&self) -> bool {
+        self.program.as_ref().is_some_and(|program| program.alone.is_some())
+    }
+
     /// Whether the plan covers that part.
     pub fn covers(&self, part: PlanPart) -> bool {
         self.scope.as_ref().is_none_or(|scope| scope.contains(&part))
@@ -265,6 +270,19 @@ pub struct Program {
     pub place: Place,
     /// The setting: its name and text.
     pub setting: Option<(String, String)>,
+    /// What is added to its coordinates to have the drawing's.
+    pub shift: crate::motion::Position,
+    /// Where the plan is read out of it: then it cannot differ from its plan.
+    pub alone: Option<Alone>,
+}
+
+/// What is known of a program without a plan.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Alone {
+    /// Whether it can be held against the drawing: every cut is known.
+    pub is_proven: bool,
+    /// Whether the operator's zeros and lengths are given: without them nobody knows how far the axes go.
+    pub is_set: bool,
 }
 
 impl Stated {

@@ -1,4 +1,4 @@
-//! What is judged of a list of tools without a part: the table `audit-needs` says which rules need nothing but the list, which its material
+//! What is judged of a list of tools or a program without a part: the table `audit-needs` says which rules need nothing but the list, which its material
 //! or its machine. Nothing else is said, and one note tells what was left out.
 
 use std::collections::BTreeSet;
@@ -23,15 +23,19 @@ pub(super) fn leave_out(
 ) -> Result<(), KnowledgeError> {
     let Some(Unsaid { material, machine }) = stated.unsaid else { return Ok(()) };
     let rows = knowledge.rows::<AuditNeeds<'_>>()?;
+    let of_program = stated.is_of_program();
     let known = |finding: &AuditFinding| {
-        rows.iter().any(|row| {
-            let said = match row.needs {
-                Need::Nothing => true,
-                Need::Material => !material,
-                Need::Machine => !machine,
-            };
-            row.rule == finding.rule && said
-        })
+        // What the control finds in a program needs no part.
+        of_program && finding.section == Section::Program
+            || rows.iter().any(|row| {
+                let said = match row.needs {
+                    Need::Nothing => true,
+                    Need::Material => !material,
+                    Need::Machine => !machine,
+                    Need::Program => of_program,
+                };
+                row.rule == finding.rule && said
+            })
     };
     // What follows from something that is not judged is not judged either.
     let mut left: BTreeSet<String> = BTreeSet::new();
@@ -51,6 +55,7 @@ pub(super) fn leave_out(
             || finding.follows_from.iter().any(|root| kept.contains(root))
     });
     let code = match (material, machine) {
+        _ if of_program => "audit-program-without-part",
         (true, true) => "audit-list-without-part",
         (true, false) => "audit-list-without-material",
         (false, true) => "audit-list-without-machine",

@@ -126,6 +126,42 @@ vocabulary! {
         Material = "material",
         /// The machine.
         Machine = "machine",
+        /// The motions of a program, which tell the order of work.
+        Program = "program",
+    }
+
+    /// What kind of tool a word of a program names.
+    pub enum ToolKind {
+        /// A centring or spot drill.
+        Centring = "centring",
+        /// A drill.
+        Drill = "drill",
+        /// A core drill.
+        CoreDrill = "core-drill",
+        /// A reamer.
+        Ream = "ream",
+        /// A boring bar.
+        Bore = "bore",
+        /// A mill.
+        Mill = "mill",
+        /// A tap.
+        Tap = "tap",
+        /// A countersink.
+        Countersink = "countersink",
+        /// A tool for chamfers.
+        Chamfer = "chamfer",
+        /// A counterbore.
+        Counterbore = "counterbore",
+    }
+
+    /// Which of several transitions with tools of one kind a word of a program names.
+    pub enum ToolStage {
+        /// The first.
+        Rough = "rough",
+        /// One between.
+        SemiFinish = "semi-finish",
+        /// The last.
+        Finish = "finish",
     }
 
     /// How a load compares with the formula.
@@ -226,6 +262,33 @@ rows! {
     pub struct AuditThresholds of One("audit-thresholds") complete name {
         name: Threshold,
         value: f64,
+    }
+
+    /// State standards whose tools a table has under another standard's designations.
+    pub struct StandardsAlike of One("audit-standards-alike") {
+        standard: &'t str,
+        tools: &'t str,
+    }
+
+    /// What words in the comments of programs say of tools, the narrower before the wider.
+    pub struct ProgramWords of One("audit-program-words") {
+        word: &'t str,
+        kind: Option<ToolKind>,
+        stage: Option<ToolStage>,
+    }
+
+    /// How grave what the proof finds may be at most where the plan was read out of the program.
+    pub struct ProgramAloneCaps of One("audit-program-alone") {
+        finding: &'t str,
+        severity: Severity,
+        up_to: Option<f64>,
+    }
+
+    /// A cutting speed of a tool of which only the size is known, beside that of ours.
+    pub struct AuditProgramPace of One("audit-program-pace") asked by AuditProgramPaceFor {
+        of_ours: Percent,
+    } {
+        severity: Severity,
     }
 
     /// The rules that judge a list of tools without a part.

@@ -2,6 +2,7 @@
 
 pub mod file;
 mod folder;
+mod program;
 
 use std::path::{Path, PathBuf};
 
@@ -10,7 +11,7 @@ use technolog::knowledge::Diagnostic;
 use technolog::report;
 
 use super::input::FileRoots;
-use super::{CliError, Context, Format, Outcome, knowledge};
+use super::{CliError, Context, Format, Outcome, control, knowledge};
 
 // Checks a plan, or a folder of plans, against the knowledge: every figure, every choice, the program
 #[derive(Debug, clap::Args)]
@@ -21,6 +22,12 @@ pub struct Args {
     against: Option<PathBuf>,
     #[arg(long, value_name = "PART.yaml", conflicts_with = "against")]
     part: Option<PathBuf>,
+    #[arg(long, value_parser = control::Names { lathes: false }, conflicts_with = "against")]
+    control: Option<String>,
+    #[arg(long, value_name = "FILE.yaml", conflicts_with = "against")]
+    setting: Option<PathBuf>,
+    #[arg(long, value_name = "TOOLS.csv", conflicts_with = "against")]
+    tools: Option<PathBuf>,
     #[arg(long, value_name = "FILE", conflicts_with = "against")]
     marks: Option<PathBuf>,
     #[arg(long, value_name = "DIR", conflicts_with = "against")]
@@ -66,7 +73,19 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
     let places = FileRoots { folder: None, anywhere: args.allow_outside };
     let part = args.part.as_deref().map(|path| file::part(path, &auditor, context)).transpose()?;
-    let stated = file::read(&args.plan, part.as_ref(), &auditor, places, context)?;
+    let stated = match program::is_program(&args.plan, args.control.is_some()) {
+        true => {
+            let of = program::Asked {
+                path: &args.plan,
+                control: args.control.as_deref(),
+                setting: args.setting.as_deref(),
+                tools: args.tools.as_deref(),
+                part: part.as_ref(),
+            };
+            program::read(&of, &auditor, places, context)?
+        }
+        false => file::read(&args.plan, part.as_ref(), &auditor, places, context)?,
+    };
     if let Some(other) = &args.against {
         let other = file::read(other, None, &auditor, places, context)?;
         let compared = auditor.compare(&stated, &other);

@@ -9,6 +9,7 @@
 )]
 
 mod against;
+mod alone;
 mod by_hand;
 mod faults;
 mod folder;

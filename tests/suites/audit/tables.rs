@@ -153,6 +153,73 @@ fn what_a_list_does_not_say_is_not_wrong() {
     assert_eq!(doubts, ["doubtful audit-spot-depth 2:7 6", "doubtful audit-spot-depth 4:7 6"]);
 }
 
+/// What people write in lists, and what was blamed or passed over once.
+#[test]
+fn a_list_is_judged_by_what_standards_and_practice_allow() {
+    let head = "Отвір;Перехід;Діаметр, мм;Глибина, мм;Інструмент;Подача S, мм/об;n, об/хв;F, мм/хв\n";
+    let all = |audit: &Audit| -> Vec<String> {
+        let grave = audit.findings.iter().filter(|one| one.severity < Severity::Note);
+        grave.map(|one| one.rule.clone()).collect()
+    };
+    // A drill by its standard and its size is that of the catalog: its feed and speed are judged. The depth has the overrun in it.
+    let drills = format!(
+        "{head}A;центрування;3;;035-2317-0103;0,1;1600;160\nA;свердління;10;46;Свердло ГОСТ 10902-77;0,225;1000;225\n\
+         B;розсвердлювання;20;49;Свердло ГОСТ 10903-77;0,76;400;304\n"
+    );
+    let right = of_text(&drills, Some(&plate())).unwrap();
+    assert_eq!(all(&right), [""; 0]);
+    assert!(right.findings.iter().all(|one| one.rule != "audit-column-unread"), "the name with its symbol is read");
+    let fast = of_text(&drills.replace("0,76;400;304", "0,76;1600;1216"), Some(&plate())).unwrap();
+    assert!(all(&fast).contains(&"spindle-step".to_owned()), "{:?}", all(&fast));
+    let feed = of_text(&drills.replace("0,225;1000;225", "2,25;1000;2250"), Some(&plate())).unwrap();
+    assert!(found(&feed).iter().any(|one| one.contains("3:6")), "{:?}", found(&feed));
+
+    let hand = |number: u32| {
+        let path = format!("{}/examples/hand-plans/{number}.yaml", env!("CARGO_MANIFEST_DIR"));
+        technolog_testing::read(&std::fs::read_to_string(path).unwrap())
+    };
+    // ISO 965: the minor diameter of M10-6H is 8.376 to 8.676.
+    let thread = |drill: &str| {
+        let list = format!("{head}A;свердління;{drill};28;;0,2;2000;400\n");
+        found(&of_text(&list, Some(&hand(5))).unwrap()).iter().any(|one| one.contains("tap-drill"))
+    };
+    assert!(!thread("8,6") && thread("8,8") && thread("8,2"));
+
+    // A reamer after a drill, and no core drill between: that is missing, and no drill is of a wrong size.
+    let reamed = format!(
+        "{head}A;центрування;;;035-2317-0103;0,1;1250;125\nA;свердління;11;20;035-2300-1283;0,28;630;176,4\n\
+         A;чорнове розвертання;11,95;20;;0,9;250;225\nA;чистове розвертання;12;20;;0,61;200;122\n"
+    );
+    let reamed = found(&of_text(&reamed, Some(&hand(4))).unwrap());
+    assert!(reamed.iter().any(|one| one.starts_with("wrong audit-transition-missing 4:2")), "{reamed:?}");
+    assert!(!reamed.iter().any(|one| one.contains("audit-allowance")), "{reamed:?}");
+
+    // The author's own speed, a little slower than the formula's, is no slip, and a spot is no drilled hole.
+    let own = "Отвір;Перехід;Діаметр, мм;Інструмент;V, м/хв;S, мм/об;n, об/хв;F, мм/хв\n\
+               A;центрування;6;035-2317-0103;24;0,1;1250;125\nA;свердління;10;035-2300-1273;25;0,25;800;200\n";
+    assert_eq!(all(&of_text(own, Some(&plate())).unwrap()), [""; 0]);
+
+    // Through a blind hole.
+    let blind = format!(
+        "{head}A;центрування;4,8;2,4;035-2317-0102;0,1;2240;224\nA;свердління;8;28;035-2300-1253;0,36;2240;806,4\n"
+    );
+    let cover =
+        std::fs::read_to_string(format!("{}/tests/audit-alone/cover.yaml", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let blind = found(&of_text(&blind, Some(&technolog_testing::read(&cover))).unwrap());
+    assert!(blind.iter().any(|one| one.starts_with("error audit-breaks-through 3:4")), "{blind:?}");
+}
+
+/// A rule that there is not would never be asked whether it needs a part.
+#[test]
+fn every_need_is_of_a_rule() {
+    let codes = Lang::codes();
+    for row in KNOWLEDGE.rows::<technolog::tables::audit::AuditNeeds<'_>>().unwrap() {
+        let known = technolog::audit::rules::all().any(|rule| rule.id == row.rule)
+            || codes.iter().any(|code| code.as_str() == row.rule);
+        assert!(known, "{}", row.rule);
+    }
+}
+
 /// Every plan of another hand as a list of its tools: of its part, of its material and machine, of nothing. None is blamed.
 #[test]
 fn no_honest_list_is_blamed() {

@@ -96,6 +96,13 @@ fn backwards(
             (after, window) = (before, (before, before));
             continue;
         }
+        if let Some(missing) =
+            missing(context, hole, rows, index).filter(|_| stated.is_none() && stock > high.ratio(3, 2))
+        {
+            findings.push(without(context, of_row, missing, (stock, high), &range));
+            (after, window) = (before, (before, before));
+            continue;
+        }
         let right = stated.unwrap_or(nearest);
         let before_it = previous.map(|(row, _)| row);
         if stated == Some(right) {
@@ -105,6 +112,38 @@ fn backwards(
         (after, window) = (right, (smallest, largest));
     }
     Ok(())
+}
+
+/// The transition of our plan that stands between a row and the one before it, and that the rows lack.
+fn missing(context: &Context<'_>, hole: &Hole, rows: &[(usize, &Row)], index: usize) -> Option<Operation> {
+    let own = rows.get(index)?.1.operation.value;
+    let before = rows.get(index.checked_sub(1)?)?.1.operation.value;
+    let plan = context.plan.holes.iter().find(|plan| plan.name == hole.name)?;
+    let ours: Vec<Operation> = plan.transitions.iter().map(|transition| transition.operation).collect();
+    let end = ours.iter().position(|operation| *operation == own)?;
+    let begin = ours.iter().position(|operation| *operation == before)? + 1;
+    let between = ours.get(begin..end)?.iter().copied();
+    let stated = |operation: Operation| rows.iter().any(|(_, row)| row.operation.value == operation);
+    between.filter(|operation| !operation.is_of_edge() && !stated(*operation)).next_back()
+}
+
+/// A row that finds far more stock than it may take, because the transition before it is left out.
+fn without(
+    context: &Context<'_>,
+    (at, row): (usize, &Row),
+    missing: Operation,
+    (stock, high): (Micrometres, Micrometres),
+    range: &Range<'_>,
+) -> AuditFinding {
+    let note = Note::new("audit-transition-missing")
+        .with("operation", Figure::operation(row.operation.value.name()))
+        .with("row", row.number)
+        .with("missing", Figure::operation(missing.name()))
+        .with("stock", stock)
+        .with("high", high);
+    let field = format!("route.{}.operation", row.number);
+    let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.operation.place);
+    finding.about(context.subject(Scope::Row(at))).resting_on([Because::row(range.row, Note::new("named"))])
 }
 
 /// The diameter that a row leaves; a slip that a formula explains is replaced by the right value.

@@ -30,9 +30,7 @@ pub(super) fn check<'a>(
             continue;
         }
         let verdict = graph.verdict(Id::new(Scope::Row(at), Q::Depth));
-        if verdict.is_some_and(|verdict| verdict.status != Status::Fine) {
-            continue;
-        }
+        let is_slip = verdict.is_some_and(|verdict| verdict.status != Status::Fine);
         let field = || format!("route.{}.depth", row.number);
         let say = |severity, note: Note| {
             AuditFinding::new(severity, Section::Route, field(), note).about(context.subject(Scope::Row(at)))
@@ -43,21 +41,22 @@ pub(super) fn check<'a>(
                 .with("end", note::Figure::number(shown(end)))
                 .with("thickness", thickness);
             findings.retain(|finding| finding.field != field());
-            // The tip of a drill would leave only a small hole.
-            let is_through = figure.value >= thickness.to_mm();
+            // The tip of a drill would leave only a small hole, if its depth is that of the drawing.
+            let is_through = figure.value >= thickness.to_mm() || is_slip;
             let finding = say(if is_through { Severity::Error } else { Severity::Doubtful }, note);
             findings.push(with_right_value(finding, figure, format!("< {thickness}"), Q::Depth));
             continue;
         }
-        if graph.formula(Id::new(Scope::Row(at), Q::Depth)).is_some() {
+        if is_slip || graph.formula(Id::new(Scope::Row(at), Q::Depth)).is_some() {
             continue;
         }
         if row.operation.value == Operation::CentreDrill {
-            if let Some(right) = spot(context, graph, at, row)
+            // How wide the spot of a program is meant to be nobody says.
+            let is_said = row.figures.contains_key(&Q::Diameter);
+            if let Some(right) = spot(context, graph, at, row).filter(|_| is_said || !context.stated.is_of_program())
                 && (figure.value - right).abs() > figure.last_place / 2.0 + 1e-6
             {
                 // Without its diameter, the author may have meant a wider spot than our plan makes.
-                let is_said = row.figures.contains_key(&Q::Diameter);
                 let severity = if is_said { Severity::Wrong } else { Severity::Doubtful };
                 let finding = say(severity, Note::new("audit-spot-depth"));
                 findings.push(with_right_value(finding, figure, shown(right), Q::Depth));
@@ -85,7 +84,8 @@ pub(super) fn check<'a>(
         };
         let most = if deeper { hole.depth + room } else { hole.depth };
         let least = hole.depth - above;
-        if plain && !(least..=most).contains(&stated) {
+        let runs_out = context.runs_out(hole, at) && context.is_overrun(hole, figure.value);
+        if plain && !runs_out && !(least..=most).contains(&stated) {
             let finding =
                 say(Severity::Wrong, Note::new("audit-depth-of-hole").with("hole", Figure::called(&hole.name)));
             findings.push(with_right_value(finding, figure, hole.depth, Q::Depth));

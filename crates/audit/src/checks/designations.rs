@@ -3,7 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::note::{Because, Figure, Note, Severity};
-use crate::tables::audit::PrintedNames;
+use crate::tables::audit::{PrintedNames, StandardsAlike};
 
 use super::super::context::Context;
 use super::super::finding::{AuditFinding, Section};
@@ -143,7 +143,9 @@ fn standard(
     let Some(standard) = standard else { return Ok(()) };
     let place: String = plain(reported.row.place()).into_iter().collect();
     let written: String = plain(&standard.value).into_iter().collect();
-    if place.contains(&written) {
+    let alike =
+        |row: &StandardsAlike<'_>| row.tools == reported.row.table.id && plain(row.standard) == plain(&standard.value);
+    if place.contains(&written) || context.shop.knowledge.find(alike)?.is_some() {
         return Ok(());
     }
     let because = Because::row(reported.row, Note::new("named"));

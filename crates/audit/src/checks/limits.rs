@@ -65,8 +65,13 @@ fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
         let Some(figure) = conditions.figures.get(&Q::Rpm).filter(|_| graph.formula(id).is_none()) else { continue };
         let Some((below, above)) = context.steps_around(figure.value) else { continue };
         let (severity, note) = match context.beyond_series(figure.value) {
-            Some(beyond) => (Severity::Error, beyond),
-            None => (Severity::Wrong, Note::new("audit-not-in-series").with("below", below).with("above", above)),
+            Some(beyond) => (context.of_series(Severity::Error), beyond),
+            // Of a program its control says it.
+            None if context.stated.is_of_program() => continue,
+            None => (
+                context.of_series(Severity::Wrong),
+                Note::new("audit-not-in-series").with("below", below).with("above", above),
+            ),
         };
         let finding = AuditFinding::new(severity, Section::Conditions, context.field(id), note).at(&figure.place);
         let because = Because::row(machine.row(Bound::SpindleSpeeds)?, Note::new("audit-series"));

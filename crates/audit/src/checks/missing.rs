@@ -15,8 +15,8 @@ pub(super) fn check<'a>(
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     let stated = context.stated;
-    // A plan of the program leaves out nothing by mistake, and a list of tools is asked for nothing else.
-    if stated.is_own || stated.is_list {
+    // A plan of the program leaves out nothing by mistake, and a list of tools or a program is asked for nothing else.
+    if stated.is_own || stated.is_list || stated.is_of_program() {
         return Ok(());
     }
     let mut say = |part: PlanPart, section: &str, missing: Vec<MissingKeys>| {

@@ -11,6 +11,7 @@ mod loads;
 mod missing;
 mod openings;
 mod ours;
+mod pace;
 mod program;
 mod proof;
 mod reach;
@@ -47,6 +48,7 @@ const CHECKS: &[Check] = &[
     reach::check,
     clamps::check,
     loads::check,
+    pace::check,
     tables::check,
     proof::check,
     program::check,

@@ -9,6 +9,7 @@ use crate::tables::holes::HoleDefault;
 use crate::tables::machines::MachineQuantity;
 use crate::tables::standards::{CoarseThread, FineThread};
 use crate::units::Micrometres;
+use technolog_core::tapping::minor_diameter;
 
 use super::super::context::Context;
 use super::super::figures::with_right_value;
@@ -87,6 +88,11 @@ fn drill(
     let found = tap_drill(thread, context);
     let limits = hole.diameter.smallest()..=hole.diameter.largest();
     if found.is_some_and(|(right, _)| right == own) || limits.contains(&own) {
+        return;
+    }
+    // What the standard allows under the thread is no slip, though the table has another drill: Ø8.6 under M10.
+    let allowed = minor_diameter(thread.size, thread.pitch, context.shop.knowledge);
+    if allowed.is_ok_and(|(least, most)| (least..=most).contains(&own)) {
         return;
     }
     let right = found.map_or_else(|| hole.diameter.target(), |(right, _)| right);

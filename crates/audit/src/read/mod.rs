@@ -347,6 +347,8 @@ impl Reader<'_> {
             control: control?.to_owned(),
             place: control_node?.place.clone(),
             setting,
+            shift: crate::motion::Position::default(),
+            alone: None,
         })
     }
 

@@ -194,7 +194,11 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
         if ours.is_some_and(|ours| (ours.0 - value).abs() < 1e-6) {
             return None;
         }
-        let computed = *values.first()?;
+        let mut computed = *values.first()?;
+        // A program says nothing of how its speed was found: one of practice is as good as one of the formula.
+        if context.stated.is_of_program() {
+            computed = ours.map_or(computed, |ours| computed.max(ours.0));
+        }
         // A limit only lowers the spindle speed, and leaves it at a step of the machine.
         let slower = is_limited && value < computed && context.steps_around(value).is_none();
         if slower { None } else { judge_step(context, value, computed) }
@@ -214,10 +218,13 @@ fn judge_step(context: &Context<'_>, value: f64, computed: f64) -> Judged {
         Note::new(code).with("excess", excess).with("computed", round_to(computed, 1)).with("step", right.0)
     };
     if let Some(beyond) = context.beyond_series(value) {
-        return Some((Severity::Error, beyond));
+        return Some((context.of_series(Severity::Error), beyond));
     }
-    if let Some((below, above)) = context.steps_around(value) {
-        return Some((Severity::Wrong, note("audit-no-step").with("below", below).with("above", above)));
+    // Of a program its control says it.
+    let steps = context.steps_around(value).filter(|_| !context.stated.is_of_program());
+    if let Some((below, above)) = steps {
+        let note = note("audit-no-step").with("below", below).with("above", above);
+        return Some((context.of_series(Severity::Wrong), note));
     }
     let excess = Percent((value / computed - 1.0) * 100.0);
     let rule = shop.knowledge.ask(&AuditSpindleFor { excess }).ok()?.winner().ok()??;

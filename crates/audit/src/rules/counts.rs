@@ -1,6 +1,7 @@
 //! Compares counts, diameters and depths of the route with the drawing and with each other.
 
 use crate::error::KnowledgeError;
+use crate::note::{Figure, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
 use crate::units::Micrometres;
@@ -64,7 +65,17 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         // Before a reamer a blind hole goes deeper, for its lead.
         let deeper = stated.reamer_follows(&hole.name, at) && !hole.through;
         if axial && plain && !milled && !deeper {
-            graph.add(fixed_figure(&DEPTH, Id::new(scope, Q::Depth), hole.depth.to_mm(), []));
+            let mut depth = fixed_figure(&DEPTH, Id::new(scope, Q::Depth), hole.depth.to_mm(), []);
+            if context.runs_out(hole, at) {
+                depth.judge = Some(Box::new(move |value, _| match context.is_overrun(hole, value) {
+                    true => None,
+                    false => Some((
+                        Severity::Wrong,
+                        Note::new("audit-depth-of-hole").with("hole", Figure::called(&hole.name)),
+                    )),
+                }));
+            }
+            graph.add(depth);
         }
     }
     for (at, conditions) in stated.conditions.iter().enumerate() {

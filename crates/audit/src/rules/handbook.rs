@@ -8,7 +8,7 @@ use crate::cutting::laws::{LoadLaw, SpeedLaw};
 use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Figure, Note, Severity};
-use crate::plan::CuttingMethod;
+use crate::plan::{CuttingMethod, Operation};
 use crate::tables::audit::{AuditFormula, AuditFormulaFor, MistakenLaw};
 use crate::tables::cutting::{CuttingSpeed, TorqueAndThrust};
 use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
@@ -75,7 +75,9 @@ fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) 
         }));
         graph.add(formula);
     }
-    if let Some(formulas) = formulas.filter(|_| stated.method == CuttingMethod::Formula) {
+    // The formula of drills says nothing of a spot: centring goes as practice has it.
+    let spots = cut.operation == Operation::CentreDrill;
+    if let Some(formulas) = formulas.filter(|_| stated.method == CuttingMethod::Formula && !spots) {
         speed(context, graph, at, &formulas, by_table)?;
         loads(context, graph, at, &formulas)?;
     }
@@ -309,7 +311,10 @@ fn add<'a, 'b>(
     formula.because.extend(because.cloned());
     formula.because.push(Because::table(table, Note::new("audit-limit")));
     let quantity = formula.output.quantity;
+    // A list gives speeds and does not say by what they were found: a slower one is the author's own.
+    let chosen = context.stated.is_list && quantity == Q::Speed;
     formula.judge = Some(Box::new(move |value, inputs| match also {
+        _ if chosen && compute(inputs).is_some_and(|most| (most / 2.0..=most).contains(&value)) => None,
         Some(also) if (value / also - 1.0).abs() < AS_ROUNDED => None,
         _ => judged(context, quantity, value, compute(inputs)?),
     }));

@@ -79,6 +79,16 @@ impl Called {
             Of::Tool | Of::Clamping => of_message(&format!("column-{}", column.key)),
             _ => BTreeSet::new(),
         };
+        // `Подача S`: the name with its symbol behind it.
+        if let Some(symbol) = column.quantity().map(Quantity::symbol) {
+            let with_symbol = |message: &str| -> Vec<String> {
+                Lang::all()
+                    .flat_map(|lang| called(lang, message))
+                    .map(|name| norm(&format!("{name} {symbol}")))
+                    .collect()
+            };
+            names.extend(with_symbol(&column.message()));
+        }
         Self { names, alone, symbol: column.quantity().map(|quantity| norm(quantity.symbol())) }
     }
 }

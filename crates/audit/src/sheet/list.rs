@@ -7,6 +7,9 @@ use technolog_sheets::Row;
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Key, Node, Problems};
 use crate::part::Part;
+use crate::plan::Operation;
+use technolog_core::lang::Lang;
+use technolog_core::words::operation_named;
 
 use super::cells::{self, hole, of_size, size};
 use super::columns::{Column, Of};
@@ -131,7 +134,34 @@ fn apart(place: Place, cells: Cells) -> Entry {
             _ => one.conditions.push((column, node)),
         }
     }
+    sized(&mut one);
     one
+}
+
+/// A tool that is named by its kind and standard alone is of the size that it makes: two of other sizes are two tools.
+fn sized(one: &mut Entry) {
+    let key = |key: &'static str| Column { of: Of::Tool, key };
+    let of_route = |wanted: &str| one.route.iter().find(|(key, _)| key.text == wanted).map(|(_, node)| node.clone());
+    let has = |wanted: Column| one.tool.iter().any(|(column, _)| *column == wanted);
+    let has_number = |node: &Node| node.text().is_some_and(|text| text.chars().any(|sign| sign.is_ascii_digit()));
+    let named = one.tool.iter().any(|(column, node)| *column == key("designation") && !has_number(node));
+    let operation = of_route("operation").and_then(|node| {
+        let text = node.text()?.to_owned();
+        Lang::all().find_map(|lang| operation_named(&text, lang)).or_else(|| Operation::from_name(&text))
+    });
+    let makes_its_size = matches!(
+        operation,
+        Some(
+            Operation::Drill
+                | Operation::DrillOut
+                | Operation::CoreDrill
+                | Operation::RoughReam
+                | Operation::FinishReam
+        )
+    );
+    if named && makes_its_size && !has(key("diameter")) && has(key("standard")) {
+        one.tool.extend(of_route("diameter").map(|node| (key("diameter"), node)));
+    }
 }
 
 /// The tools of a list by their places: as its column says, else in their order, equal ones once.

@@ -16,6 +16,7 @@ mod left_over;
 mod limits;
 pub mod proof;
 mod running;
+pub mod seen;
 pub mod setting;
 mod stay;
 pub mod written;

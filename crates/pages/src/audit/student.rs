@@ -1,6 +1,7 @@
 //! The sheet for a student: what is wrong by itself, the worst first, each with the figure as stated, the right one and why; what only
 //! follows is counted under its root. A good work has half a page.
 
+use technolog_audit::marks::Marks;
 use technolog_audit::{Audit, AuditFinding};
 use technolog_document::{self as document, Document, Field, Inlines};
 use technolog_words::say;
@@ -38,6 +39,12 @@ pub fn page(audit: &Audit, lang: Lang) -> Document {
             details: details(root, audit, lang).iter().map(|line| Inlines::sentence(line)).collect(),
             ..document::FindingBlock::new(words::colour(root.severity), severity(root.severity, lang), words)
         });
+    }
+    // Every point taken, with its finding and the entry of the scheme, of what only follows and of notes, too.
+    let costs = |marks: &&Marks| !marks.missing.is_empty() || marks.deductions.iter().any(|one| one.points > 0.0);
+    if let Some(marks) = audit.marks.as_ref().filter(costs) {
+        page.heading(2, lang.word("audit-sheet-marks"));
+        page.push(marks::table(marks, audit, lang));
     }
     let notes = of(Severity::Note).count();
     if notes > 0 {

@@ -22,6 +22,7 @@ audit-thread-elsewhere = the plan does not cut the thread { $thread }: this mach
 audit-cannot-tap = the machine { $machine } cuts no threads: it is done on another (`elsewhere: true`)
 # Allowances.
 audit-allowance = row { $row } ({ $operation }) finds { $stock } mm on diameter, and section 1.2.1 permits { $low } to { $high }
+audit-transition-missing = before row { $row } ({ $operation }) a transition is missing, { $missing }: the tool finds { $stock } mm on diameter, and section 1.2.1 permits at most { $high }
 audit-passes = { $stock } mm on diameter are bored in { $needed } passes by section 1.2.1 (up to { $high } in each)
 # Cutters, holders, places.
 bar-of-other-stage-rough = { $tool } is a bar for rough boring

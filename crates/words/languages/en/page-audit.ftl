@@ -263,6 +263,7 @@ audit-column-passed = passed
 audit-column-taken-by = taken off: { $section }
 audit-column-remark = remark
 audit-same-figure = { $about }: { $stated }
+audit-sheet-marks = Points taken off
 audit-sheet-nothing = Nothing is wrong and nothing doubtful.
 audit-sheet-notes = Notes for whoever wants to know more: { $count }; `technolog audit` shows them.
 audit-sheet-follow = { $count ->

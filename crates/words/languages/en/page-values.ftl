@@ -449,3 +449,6 @@ table-value-law-other-exponent = another exponent
 table-value-at-row = in the row
 table-value-needs-material = the material
 table-value-needs-machine = the machine
+table-value-kind-centring = centring drill
+table-value-stage-semi-finish = semi-finishing
+table-value-needs-program = a program

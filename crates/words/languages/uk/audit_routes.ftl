@@ -22,6 +22,7 @@ audit-thread-elsewhere = різь { $thread } у плані не нарізаю�
 audit-cannot-tap = верстат { $machine } різь не нарізає: перехід роблять на іншому (`elsewhere: true`)
 # Allowances.
 audit-allowance = перехід { $row } ({ $operation }) знаходить { $stock } мм на діаметр, а за 1.2.1 від { $low } до { $high }
+audit-transition-missing = перед переходом { $row } ({ $operation }) бракує переходу «{ $missing }»: інструмент знаходить { $stock } мм на діаметр, а за 1.2.1 може зняти щонайбільше { $high }
 audit-passes = { $stock } мм на діаметр за 1.2.1 (до { $high } за робочий хід) розточують за стільки робочих ходів: { $needed }
 # Cutters, holders, places.
 bar-of-other-stage-rough = { $tool }: борштанга для чорнового розточування

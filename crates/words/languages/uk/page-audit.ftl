@@ -250,6 +250,7 @@ audit-column-passed = зараховано
 audit-column-taken-by = знято: { $section }
 audit-column-remark = примітка
 audit-same-figure = { $about }: { $stated }
+audit-sheet-marks = Зняті бали
 audit-sheet-nothing = Немає нічого хибного й нічого сумнівного.
 audit-sheet-notes = Зауважень для охочих знати більше: { $count }; їх показує `technolog audit`.
 audit-sheet-follow = { $count ->

@@ -449,3 +449,6 @@ table-value-law-other-exponent = інший показник степеня
 table-value-at-row = у рядку
 table-value-needs-material = матеріал
 table-value-needs-machine = верстат
+table-value-kind-centring = центрувальне свердло
+table-value-stage-semi-finish = напівчистова
+table-value-needs-program = програма

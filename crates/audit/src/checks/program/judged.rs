@@ -9,7 +9,7 @@ use crate::note::{Note, Severity};
 use crate::plan::{Operation, Plan, Transition};
 use crate::program::Setting;
 use crate::program::proof::{self, Code, Name};
-use crate::tables::audit::ProgramTolerance;
+use crate::tables::audit::{ProgramAloneCaps, ProgramTolerance};
 
 use super::super::super::context::Context;
 use super::super::super::finding::{AuditFinding, Section};
@@ -57,6 +57,62 @@ pub(super) fn setting(
     }
 }
 
+/// How grave findings about a program may be: of one without a plan the table `audit-program-alone` says it.
+pub(super) struct Caps<'k>(Vec<ProgramAloneCaps<'k>>);
+
+impl<'k> Caps<'k> {
+    /// Those of a plan.
+    ///
+    /// # Errors
+    /// The table cannot be read.
+    pub fn read(context: &Context<'k>) -> Result<Self, KnowledgeError> {
+        let rows = context.stated.is_of_program().then(|| context.shop.knowledge.rows());
+        Ok(Self(rows.transpose()?.unwrap_or_default()))
+    }
+
+    /// The severity of a finding: the gravest stand first in their order.
+    pub fn of(&self, code: &str, severity: Severity) -> Severity {
+        self.of_share(code, severity, None)
+    }
+
+    /// The same of a figure that is so many times ours.
+    fn of_share(&self, code: &str, severity: Severity, times: Option<f64>) -> Severity {
+        let cap = self.0.iter().find(|row| row.finding == code);
+        let holds = |row: &&ProgramAloneCaps<'_>| row.up_to.zip(times).is_none_or(|(most, times)| times <= most);
+        cap.filter(holds).map_or(severity, |row| severity.max(row.severity))
+    }
+}
+
+/// How far a blind hole is cut deeper than the drawing asks.
+enum Deeper {
+    /// It is not, or by no more than room for chips and the lead of a reamer.
+    No,
+    /// By more than half its width.
+    Far,
+    /// Out of the part.
+    Out,
+}
+
+fn deeper(context: &Context<'_>, deviation: &proof::ProgramFinding) -> Deeper {
+    let part = &context.stated.part;
+    let hole = deviation.hole().and_then(|name| part.holes.iter().find(|hole| hole.name == name));
+    let Some((hole, made)) = hole.filter(|hole| !hole.through).zip(deviation.length(Name::Made)) else {
+        return Deeper::No;
+    };
+    match deviation.length(Name::Needed) {
+        Some(needed) if deviation.code == Code::Deeper => {
+            if made <= part.datum.top - part.blank.thickness {
+                Deeper::Out
+            } else if needed - made > hole.diameter.nominal.half() {
+                Deeper::Far
+            } else {
+                Deeper::No
+            }
+        }
+        _ => Deeper::No,
+    }
+}
+
 /// A deviation of the program as a finding; `None` within the tolerance of rounding.
 ///
 /// # Errors
@@ -65,7 +121,7 @@ pub(super) fn deviation(
     context: &Context<'_>,
     graph: &Graph<'_>,
     plan: &Plan,
-    deviation: proof::ProgramFinding,
+    (deviation, caps): (proof::ProgramFinding, &Caps<'_>),
     own: bool,
     file: &Arc<str>,
     seen: &mut Vec<FindingFacts>,
@@ -91,6 +147,21 @@ pub(super) fn deviation(
             return Ok(());
         }
         severity = severity.min(may.severity);
+    }
+    if context.stated.is_of_program() {
+        severity = match deeper(context, &deviation) {
+            Deeper::Out => Severity::Error,
+            Deeper::Far => severity,
+            Deeper::No => {
+                let made = deviation.length(Name::Made).zip(deviation.length(Name::Needed));
+                let times = made.map(|(made, needed)| made.to_mm() / needed.to_mm());
+                caps.of_share(deviation.code.name(), severity, times)
+            }
+        };
+        // Notes compare heights and ways with ours, and others are as good.
+        if severity == Severity::Note {
+            return Ok(());
+        }
     }
     let mut place = deviation.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
     let mut name = field(deviation.block);

@@ -27,8 +27,15 @@ use super::super::context::Context;
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::Quantity as Q;
+use super::super::stated::Alone;
 use causes::FindingFacts;
 use stated_plan::{NotComparable, Reading, comparable_plan, unordered};
+
+/// The travel of a quill of which nobody knows where it stands: no program goes beyond it.
+const UNKNOWN_REACH: Micrometres = Micrometres::from_mm(20_000);
+
+/// What a control finds that another machine may do.
+const OF_MACHINE: [&str; 4] = ["speed-beyond-machine", "no-spindle-step", "beyond-travel-of", "span-beyond-travel"];
 
 /// The transitions of every hole as a plan states them; none if it does not say enough.
 ///
@@ -52,15 +59,34 @@ pub(super) fn check<'a>(
         Some((name, text)) => language.setting(name, text).unwrap_or_default(),
         None => Setting::default(),
     };
-    let as_stated = comparable_plan(context, graph, &setting, Reading::Stated)?;
+    let as_stated = match program.alone {
+        Some(Alone { is_proven: false, .. }) => {
+            Err(NotComparable { note: Note::new("audit-program-not-compared"), place: None })
+        }
+        _ => comparable_plan(context, graph, &setting, Reading::Stated)?,
+    };
     let job = as_stated.as_ref().ok().map(|plan| job::make(plan, &context.shop)).transpose()?;
     let set = set(context, setting.clone(), as_stated.as_ref().ok().zip(job.as_ref()));
-    let run = context.auditor.run(program, &language, &context.shop.machine, &set);
+    let mut machine = context.shop.machine.clone();
+    if program.alone.is_some_and(|alone| !alone.is_set) {
+        machine.travel_z = UNKNOWN_REACH;
+    }
+    // Without a part no machine is named, and a stand-in runs the program.
+    let unknown = context.stated.unsaid.is_some_and(|unsaid| unsaid.machine);
+    if unknown {
+        machine.can_tap = true;
+    }
+    let run = context.auditor.run(program, &language, &machine, &set);
 
     // What a program tells of offsets and dwells by itself the proof says better, by the plan.
     let compared = as_stated.is_ok();
     let faults = run.faults.iter().filter(|fault| !(compared && fault.of_program_alone));
-    let mut seen: Vec<FindingFacts> = faults.map(|fault| of_fault(fault, &run.steps, &file)).collect();
+    let caps = judged::Caps::read(context)?;
+    // What the control remarks besides, `technolog check` says.
+    let alone = context.stated.is_of_program();
+    let faults = faults.filter(|fault| !(unknown && OF_MACHINE.contains(&fault.code)));
+    let faults = faults.filter(|fault| !alone || caps.of(fault.code, fault.severity) < Severity::Note);
+    let mut seen: Vec<FindingFacts> = faults.map(|fault| of_fault(fault, &caps, &run.steps, &file)).collect();
     let missing = |NotComparable { note, place }: NotComparable| {
         let finding = AuditFinding::new(Severity::Note, Section::Program, "program".to_owned(), note);
         finding.at(place.as_ref().unwrap_or(&program.file.place))
@@ -75,9 +101,11 @@ pub(super) fn check<'a>(
                 if slips && !deviations.is_empty() { right(context, graph, &plan, &setting, &run)? } else { None };
             for deviation in deviations {
                 let own = by_right.as_ref().is_none_or(|known| known.contains(&key(&deviation)));
-                judged::deviation(context, graph, &plan, deviation, own, &file, &mut seen)?;
+                judged::deviation(context, graph, &plan, (deviation, &caps), own, &file, &mut seen)?;
             }
         }
+        // Of a program without a part nobody expects it.
+        (Err(_), _) if context.stated.unsaid.is_some() => {}
         (Err(why), _) => findings.push(missing(why)),
         // Nothing is known of a program that is not run: that it makes no hole follows from its mistakes.
         (Ok(plan), Some(_)) => {
@@ -97,9 +125,11 @@ fn set(context: &Context<'_>, mut setting: Setting, plan: Option<(&Plan, &job::J
     // As in the proof: other programs ran before.
     setting.before = Before::OtherPrograms;
     let Some((plan, job)) = plan else { return setting };
+    // A program with a zero of its own makes the part at the same place of the table.
+    let shift = context.stated.program.as_ref().map(|program| program.shift).unwrap_or_default();
     for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
         for axis in Axis::ALL {
-            zero[axis.index()].get_or_insert(setup.zero.get(axis));
+            zero[axis.index()].get_or_insert(setup.zero.get(axis) + shift.get(axis));
         }
     }
     if setting.correctors.is_empty() {
@@ -122,21 +152,28 @@ fn proven(
     setting: &Setting,
     run: &SimulatedProgram,
 ) -> Result<Vec<proof::ProgramFinding>, KnowledgeError> {
-    let zeros = setting.zeros_of(job);
+    let mut zeros = setting.zeros_of(job);
+    let Some(program) = &context.stated.program else { return Ok(Vec::new()) };
+    for zero in &mut zeros {
+        for axis in Axis::ALL {
+            *zero = zero.with(axis, zero.get(axis) - program.shift.get(axis));
+        }
+    }
+    let language = context.auditor.language(&program.control)?;
+    let tap_word = language.tap_word();
     let tolerated = Tolerated::read(&plan.part, context.shop.knowledge)?;
     // Offset registers are those of the plan where it states any, otherwise those of the operator.
     let says = |quantity| context.stated.tools.iter().any(|tool| tool.figures.contains_key(&quantity));
     let own_correctors = !says(Q::Corrector) && !says(Q::Correction);
     let start = setting.start;
-    // The programs of plans are those of 2С42-65, which needs no function before a tap.
     let input = ProofInput {
         plan,
         job,
         zeros: &zeros,
         start,
         tolerated,
-        tap_word: None,
-        change_stops_spindle: false,
+        tap_word: tap_word.as_deref(),
+        change_stops_spindle: language.change_stops_spindle(),
         own_correctors,
     };
     let mut findings = prove(&run.steps, &input).findings;
@@ -175,10 +212,11 @@ fn right(
 }
 
 /// A fault that the control found, with the tool in the spindle.
-fn of_fault(fault: &Fault, steps: &[MotionStep], file: &Arc<str>) -> FindingFacts {
+fn of_fault(fault: &Fault, caps: &judged::Caps<'_>, steps: &[MotionStep], file: &Arc<str>) -> FindingFacts {
     let place = Place { file: file.clone(), line: fault.span.line, column: fault.span.column, width: fault.span.width };
     let field = fault.path().map_or_else(|| "program".to_owned(), |path| format!("program.{path}"));
-    let finding = AuditFinding::new(fault.severity, Section::Program, field, fault.note.clone()).at(&place);
+    let finding =
+        AuditFinding::new(caps.of(fault.code, fault.severity), Section::Program, field, fault.note.clone()).at(&place);
     let main = fault.calls.first().map_or(fault.span.line, |call| call.from.line);
     let ends = steps.iter().filter(|step| step.motion == Motion::End).map(|step| step.block.line).max();
     let mut changes = steps.iter().rev().filter_map(|step| match step.motion {

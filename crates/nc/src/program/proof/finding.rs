@@ -296,6 +296,14 @@ impl ProgramFinding {
         }
     }
 
+    /// A figure that is a length or a coordinate.
+    pub fn length(&self, name: Name) -> Option<Micrometres> {
+        match self.figures.get(&name)? {
+            DeviationFigure::Length(length) => Some(*length),
+            _ => None,
+        }
+    }
+
     /// A figure that is a rate or a time.
     pub fn number(&self, name: Name) -> Option<f64> {
         match self.figures.get(&name)? {
