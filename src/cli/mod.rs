@@ -258,7 +258,16 @@ impl Context {
     /// It cannot be written.
     pub fn emit_separated(&self, tables: &[sheets::Sheet]) -> Result<(), CliError> {
         let sign = if self.lang.find("decimal-comma").is_some() { ',' } else { '.' };
-        self.emit(&sheets::csv(tables, sign))
+        self.emit(&sheets::csv(tables, sign).map_err(|error| output::unprintable(self.lang, error))?)
+    }
+
+    /// Writes rows as lines of fields separated by commas, without invisible characters.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn emit_rows(&self, rows: Vec<Vec<String>>, ending: &str) -> Result<(), CliError> {
+        let lines = sheets::lines(rows, b',', ending).map_err(|error| output::unprintable(self.lang, error))?;
+        self.emit_cleaned(&lines)
     }
 
     /// Writes an answer that no page writer made, without invisible characters.

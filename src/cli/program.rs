@@ -125,7 +125,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let sheet = || encoding_sheet(written, job, plan, control, knowledge, context.lang).map_err(at_fault);
     match (args.show, format) {
         (Show::Encoding, Format::Json) => context.emit_json(&sheet()?)?,
-        (Show::Encoding, Format::Csv) => context.emit_cleaned(&sheet()?.csv())?,
+        (Show::Encoding, Format::Csv) => context.emit_rows(sheet()?.rows_of_cells(), "\r\n")?,
         (Show::Encoding, _) => context.emit_document(&sheet()?.page(), format)?,
         (Show::Backplot, _) => {
             context.emit_cleaned(&report::backplot::backplot(steps, Some(&proof::frame(planned)), context.lang))?;
@@ -235,13 +235,25 @@ impl Made {
 
     /// The gravest of what is wrong with the program, beside what it leaves undone.
     pub fn gravest(&self) -> Option<Finding> {
+        self.wrong().into_iter().next()
+    }
+
+    /// All that is wrong with plan and program, the gravest first, beside what the program leaves undone.
+    pub fn wrong(&self) -> Vec<Finding> {
         let findings = serious(&self.planned.plan, &self.planned.job);
         let of_part = findings.iter().filter(|own| own.severity <= Severity::Wrong).map(|own| (*own).clone());
         let of_text = self.faults.iter().filter(|fault| fault.is_grave());
         let of_text = of_text.map(|fault| Finding::of_part(fault.severity, fault.note.clone()));
         let of_proof = self.proof.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
         let of_proof = of_proof.map(|finding| Finding::of_part(finding.severity, finding.note.clone()));
-        of_part.chain(of_text).chain(of_proof).min_by_key(|finding| finding.severity)
+        let mut wrong: Vec<Finding> = Vec::new();
+        for finding in of_part.chain(of_text).chain(of_proof) {
+            if !wrong.contains(&finding) {
+                wrong.push(finding);
+            }
+        }
+        wrong.sort_by_key(|finding| finding.severity);
+        wrong
     }
 }
 

@@ -9,6 +9,7 @@ use technolog::audit::Auditor;
 use technolog::cases::{FileKind, other_kind};
 use technolog::document::Document;
 use technolog::error::KnowledgeError;
+use technolog::job;
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::Finding;
 use technolog::plan::CuttingMethod;
@@ -53,22 +54,28 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         None => other_kind(&args.part.display().to_string(), &context.text(&args.part)?, FileKind::Part)
             .map(|(kind, _)| kind),
     };
+    let asked = Asked { args, title: &title, knowledge, context };
     let (page, outcome) = match kind {
-        Some(FileKind::Turned) => turned(args, &title, knowledge, context)?,
-        Some(FileKind::Plan) => of_plan(args, &title, knowledge, context)?,
-        _ => of_part(args, &title, knowledge, context)?,
+        Some(FileKind::Turned) => turned(asked)?,
+        Some(FileKind::Plan) => of_plan(asked)?,
+        _ => of_part(asked)?,
     };
     targets.print(&page, context)?;
     Ok(outcome)
 }
 
+/// What a report is asked of.
+#[derive(Clone, Copy)]
+struct Asked<'a> {
+    args: &'a Args,
+    title: &'a TitleBlock,
+    knowledge: &'a Knowledge,
+    context: &'a Context,
+}
+
 /// The report of a turned part.
-fn turned(
-    args: &Args,
-    title: &TitleBlock,
-    knowledge: &Knowledge,
-    context: &Context,
-) -> Result<(Document, Outcome), CliError> {
+fn turned(asked: Asked<'_>) -> Result<(Document, Outcome), CliError> {
+    let Asked { args, title, knowledge, context } = asked;
     is_whole(args, title, context)?;
     let control = match args.control.as_deref() {
         None => turn_operation::Control::Linuxcnc,
@@ -85,12 +92,8 @@ fn turned(
 }
 
 /// The report of an audit: what is wrong with somebody's plan.
-fn of_plan(
-    args: &Args,
-    title: &TitleBlock,
-    knowledge: &Knowledge,
-    context: &Context,
-) -> Result<(Document, Outcome), CliError> {
+fn of_plan(asked: Asked<'_>) -> Result<(Document, Outcome), CliError> {
+    let Asked { args, title, knowledge, context } = asked;
     is_whole(args, title, context)?;
     if args.control.is_some() {
         let message = context.word("cli-report-audit-control");
@@ -114,44 +117,45 @@ fn is_whole(args: &Args, title: &TitleBlock, context: &Context) -> Result<(), Cl
 }
 
 /// The report of a part with holes, in sixteen parts.
-fn of_part(
-    args: &Args,
-    title: &TitleBlock,
-    knowledge: &Knowledge,
-    context: &Context,
-) -> Result<(Document, Outcome), CliError> {
+fn of_part(asked: Asked<'_>) -> Result<(Document, Outcome), CliError> {
+    let Asked { args, title, knowledge, context } = asked;
     let at_fault = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let plan = plan::make(&args.part, CuttingMethod::default(), knowledge, context)?;
     let machine = control::machine(&plan.part.machine, knowledge, context)?;
     let control = control::chosen(args.control.as_deref(), Some(&machine), knowledge, context)?;
     let made = Made::of(plan, control, (None, true), knowledge).map_err(at_fault)?;
-    let (plan, job) = (&made.planned.plan, &made.planned.job);
-    let sheet = encoding_sheet(&made.written, job, plan, control, knowledge, context.lang).map_err(at_fault)?;
+    let (plan, made_job) = (&made.planned.plan, &made.planned.job);
+    let sheet = encoding_sheet(&made.written, made_job, plan, control, knowledge, context.lang).map_err(at_fault)?;
     let said = |finding: Finding| {
         let told = context.lang.say(&finding.note);
         finding.hole.iter().fold(told, |told, hole| format!("{hole}: {told}"))
     };
-    let warning = made.gravest().map(said);
+    let wrong = made.wrong();
+    let warning = wrong.first().cloned().map(said);
     let left: Vec<String> = made.left().iter().cloned().map(said).collect();
     let warning = warning.as_deref();
-    let sources = Sources {
+    let mut sources = Sources {
         plan,
-        job,
+        job: made_job,
         setting: &made.setting,
         sheet: &sheet,
         steps: &made.steps,
+        wrong: &wrong,
         warning,
         left: &left,
+        norm: None,
         control,
         knowledge,
     };
+    let clean = sources.is_clean();
+    let norm = clean.then(|| job::norm(plan, made_job, title.times(), knowledge)).transpose().map_err(at_fault)?;
+    sources.norm = norm.as_ref();
     let form = args.only.as_deref().and_then(Form::named);
     let page = match form {
         Some(form) => form.page(&sources, title, context.lang),
         None => laboratory::page(&sources, title, context.lang),
     };
-    let wrong = plan.has_errors() || warning.is_some() || !left.is_empty();
-    Ok((page.map_err(at_fault)?, if wrong { Outcome::Findings } else { Outcome::Done }))
+    Ok((page.map_err(at_fault)?, if clean { Outcome::Done } else { Outcome::Findings }))
 }
 
 fn title_block(path: &Path, context: &Context) -> Result<TitleBlock, CliError> {

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use technolog::document::{Align, Column as Head, Inlines, Keep};
+use technolog::document::{Align, Column as Head, Inlines, Keep, capital};
 use technolog::knowledge::table::Cell;
 use technolog::knowledge::{Column, ColumnRole, ColumnType, RowRef, Source, Table, Value};
 use technolog::note::Figure;
@@ -42,12 +42,6 @@ pub fn head(lang: Lang, column: &Column, keep: Keep) -> Head {
     let head = if is_figure { Head::number(name, unit) } else { Head { unit: unit.to_owned(), ..Head::text(name) } };
     // Tables have many columns of short cells.
     head.keep(keep).min_width(6)
-}
-
-/// With a capital first letter, as in heads.
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
 /// Whether the cells of a column are aligned to the right.

@@ -28,7 +28,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         tables.sort_by_key(|table| knowledge::natural(&table.id));
         match format {
             Format::Json => context.emit_json(&list_json(&tables, context))?,
-            Format::Csv => context.emit_cleaned(&list_csv(&tables, context))?,
+            Format::Csv => context.emit_rows(list_rows(&tables, context), "\n")?,
             _ => context.emit_document(&list_page(&tables, context.lang), format)?,
         }
         return Ok(Outcome::Done);
@@ -36,7 +36,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let table = knowledge::table(knowledge, id, context)?;
     match format {
         Format::Json => context.emit_json(&table_json(table, context))?,
-        Format::Csv => context.emit_cleaned(&table_csv(table))?,
+        Format::Csv => context.emit_rows(table_rows(table), "\n")?,
         _ => context.emit_document(&sheet::table_page(table, context.lang, context.room(format)), format)?,
     }
     Ok(Outcome::Done)
@@ -95,18 +95,15 @@ fn list_json<'t>(tables: &[&'t Table], context: &Context) -> Vec<Listed<'t>> {
         .collect()
 }
 
-fn list_csv(tables: &[&Table], context: &Context) -> String {
-    let head = csv_line(["table", "rows", "kind", "title", "file"]);
+fn list_rows(tables: &[&Table], context: &Context) -> Vec<Vec<String>> {
+    let head = ["table", "rows", "kind", "title", "file"];
     let lines = tables.iter().map(|table| {
-        csv_line([
-            &table.id,
-            &table.rows.len().to_string(),
-            kind(table),
-            shown::title(context.lang, table),
-            &table.file,
-        ])
+        let rows = table.rows.len().to_string();
+        [&table.id, rows.as_str(), kind(table), shown::title(context.lang, table), &table.file]
+            .map(str::to_owned)
+            .to_vec()
     });
-    std::iter::once(head).chain(lines).collect()
+    std::iter::once(head.map(str::to_owned).to_vec()).chain(lines).collect()
 }
 
 /// A column in JSON.
@@ -187,9 +184,10 @@ fn column_json<'t>(column: &'t Column, context: &Context) -> ColumnJson<'t> {
     }
 }
 
-fn table_csv(table: &Table) -> String {
+fn table_rows(table: &Table) -> Vec<Vec<String>> {
     let names = table.columns.iter().map(|column| column.name.as_str());
-    let mut text = csv_line(names.chain(["source", "place", "reason", "unconfirmed", "note"]));
+    let head = names.chain(["source", "place", "reason", "unconfirmed", "note"]).map(str::to_owned).collect();
+    let mut rows = vec![head];
     for row in table.all_rows() {
         let content = row.row();
         let mut cells: Vec<String> =
@@ -199,22 +197,7 @@ fn table_csv(table: &Table) -> String {
         for about in [&content.reason, &content.unconfirmed, &content.note] {
             cells.push(about.clone().unwrap_or_default());
         }
-        text.push_str(&csv_line(cells.iter().map(String::as_str)));
+        rows.push(cells);
     }
-    text
-}
-
-/// One line of RFC 4180, except for the line end, which is that of the other outputs.
-fn csv_line<'a>(cells: impl IntoIterator<Item = &'a str>) -> String {
-    let cells: Vec<String> = cells
-        .into_iter()
-        .map(|cell| {
-            if cell.contains([',', '"', '\n', '\r']) {
-                format!("\"{}\"", cell.replace('"', "\"\""))
-            } else {
-                cell.to_owned()
-            }
-        })
-        .collect();
-    cells.join(",") + "\n"
+    rows
 }

@@ -98,13 +98,7 @@ pub fn off_table(part: &Part, shop: &Shop<'_>) -> Result<Vec<OffTable>, Knowledg
     let heavy = match part.mass_kg {
         Some(mass) => (mass > limit).then_some(OffTable::TooHeavy { mass, limit }),
         None => {
-            let group = shop.material.group;
-            // A new group of materials need not have a row.
-            let density = shop.knowledge.find(|row: &Density<'_>| row.material_group == group)?;
-            let [length, width, thickness] =
-                [part.blank.length, part.blank.width, part.blank.thickness].map(|side| side.to_mm() / 1000.0);
-            let of = |density: f64| length * width * thickness * density;
-            let weighs = density.map(|density| (of(density.lightest), of(density.heaviest)));
+            let weighs = masses(part, shop.material.group, shop.knowledge)?;
             let weighs = weighs.filter(|(_, most)| *most > limit);
             weighs.map(|(least, most)| OffTable::PlateTooHeavy { least, most, limit })
         }
@@ -114,6 +108,20 @@ pub fn off_table(part: &Part, shop: &Shop<'_>) -> Result<Vec<OffTable>, Knowledg
         (span > travel).then_some(OffTable::BeyondTravel { axis, span, travel })
     });
     Ok(heavy.into_iter().chain(beyond).collect())
+}
+
+/// The mass of a solid plate of the lightest and of the heaviest metal of a group, V·ρ, ρ of the table `densities`, kg; none for
+/// a group without a row.
+///
+/// # Errors
+/// The knowledge base is broken.
+pub fn masses(part: &Part, group: &str, knowledge: &Knowledge) -> Result<Option<(f64, f64)>, KnowledgeError> {
+    // A new group of materials need not have a row.
+    let density = knowledge.find(|row: &Density<'_>| row.material_group == group)?;
+    let [length, width, thickness] =
+        [part.blank.length, part.blank.width, part.blank.thickness].map(|side| side.to_mm() / 1000.0);
+    let of = |density: f64| length * width * thickness * density;
+    Ok(density.map(|density| (of(density.lightest), of(density.heaviest))))
 }
 
 /// The row of the rule `approach` for a part: the distance before the metal where the feed begins (`approach`), and

@@ -1,5 +1,5 @@
 //! Removes characters that no page may contain, whatever is in a user's file: control characters and those that
-//! change the direction of writing.
+//! change the direction of writing; escapes what XML would take for its own; begins with a capital.
 
 /// One line of text: line breaks and tabs become spaces, control characters a replacement character.
 pub fn line(text: &str) -> String {
@@ -10,6 +10,37 @@ pub fn line(text: &str) -> String {
 pub fn lines(text: &str) -> String {
     let kept = |sign| if matches!(sign, '\n' | '\t') { sign } else { shown(sign) };
     text.replace("\r\n", "\n").chars().map(kept).collect()
+}
+
+/// A text that begins with a capital letter, as sentences and heads do.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+}
+
+/// One line of text, escaped for the contents and the quoted attributes of XML and HTML.
+pub fn escaped(text: &str) -> String {
+    marks(&line(text))
+}
+
+/// As `escaped`, but line breaks stay.
+pub fn escaped_lines(text: &str) -> String {
+    marks(&lines(text))
+}
+
+fn marks(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for sign in text.chars() {
+        match sign {
+            '&' => shown.push_str("&amp;"),
+            '<' => shown.push_str("&lt;"),
+            '>' => shown.push_str("&gt;"),
+            '"' => shown.push_str("&quot;"),
+            '\'' => shown.push_str("&#39;"),
+            other => shown.push(other),
+        }
+    }
+    shown
 }
 
 const fn is_break(sign: char) -> bool {

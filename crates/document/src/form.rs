@@ -2,8 +2,12 @@
 
 use crate::Inlines;
 
-/// The width of a form in its steps: 110 characters of a typewriter, 2.6 mm each, make the 286 mm of a landscape A4.
+/// The width of a form in its steps: 110 characters of a typewriter make the 286 mm of a landscape A4.
 pub const FORM_WIDTH: u16 = 110;
+/// The width of a step, mm: a character of a typewriter (GOST 3.1129).
+pub const FORM_STEP_MM: f64 = 2.6;
+/// The height of a line of a form, mm.
+pub const FORM_LINE_MM: f64 = 4.25;
 
 /// One sheet of a form, A4 across.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,7 +21,7 @@ pub struct Form {
 /// A row of a form. Cells that reach down from a row above take their place in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FormRow {
-    /// Its height in lines of 4.25 mm.
+    /// Its height in lines of [`FORM_LINE_MM`].
     pub lines: u16,
     /// Its cells from left to right.
     pub cells: Vec<FormCell>,

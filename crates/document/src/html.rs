@@ -3,8 +3,11 @@
 use std::fmt::Write;
 
 use crate::{
-    Align, Block, CellKind, Column, Document, Drawing, FindingBlock, Form, Inline, Inlines, Item, Table, Words, clean,
+    Align, Block, CellKind, Column, Document, Drawing, FORM_LINE_MM, FORM_STEP_MM, FindingBlock, Form, Inline, Inlines,
+    Item, Table, Words, clean,
 };
+
+use crate::clean::{escaped, escaped_lines};
 
 /// Colours for light and dark mode and for paper; on narrow screens each table scrolls by itself.
 const STYLE: &str = include_str!("html/style.css");
@@ -75,14 +78,16 @@ fn block(page: &mut String, block: &Block, under: &str, words: &Words) {
 fn form(page: &mut String, form: &Form, under: &str) {
     let (widths, rows) = form.columns();
     page.push_str(&format!(
-        "<div class=\"form scroll\" tabindex=\"0\"{}><p>{}</p>\n<table>\n<colgroup>",
+        "<div class=\"form scroll\" tabindex=\"0\"{}><p>{}</p>\n<table role=\"presentation\">\n<colgroup>",
         named(under),
         escaped(&form.mark)
     ));
-    widths.iter().for_each(|width| page.push_str(&format!("<col style=\"width:{:.1}mm\">", f64::from(*width) * 2.6)));
+    widths
+        .iter()
+        .for_each(|width| page.push_str(&format!("<col style=\"width:{:.1}mm\">", f64::from(*width) * FORM_STEP_MM)));
     page.push_str("</colgroup>\n<tbody>\n");
     for (row, cells) in form.rows.iter().zip(rows) {
-        page.push_str(&format!("<tr style=\"height:{:.2}mm\">", f64::from(row.lines) * 4.25));
+        page.push_str(&format!("<tr style=\"height:{:.2}mm\">", f64::from(row.lines) * FORM_LINE_MM));
         for (cell, span) in cells {
             let class = match cell.kind {
                 CellKind::Name => "name",
@@ -93,7 +98,11 @@ fn form(page: &mut String, form: &Form, under: &str) {
             let down = if cell.rows > 1 { format!(" rowspan=\"{}\"", cell.rows) } else { String::new() };
             // A date in the narrowest of them.
             let class = if cell.kind == CellKind::Value && cell.width <= 6 { "value narrow" } else { class };
-            page.push_str(&format!("<td class=\"{class}\" colspan=\"{span}\"{down}>{}</td>", line(&cell.words)));
+            // Who reads by ear has no columns: a value says its name.
+            let is_named = !cell.name.is_empty() && !cell.words.is_empty() && cell.kind != CellKind::Name;
+            let name =
+                if is_named { format!("<span class=\"ear\">{}: </span>", escaped(&cell.name)) } else { String::new() };
+            page.push_str(&format!("<td class=\"{class}\" colspan=\"{span}\"{down}>{name}{}</td>", line(&cell.words)));
         }
         page.push_str("</tr>\n");
     }
@@ -225,30 +234,6 @@ fn is_quantity(number: &str, unit: &str) -> bool {
     number.ends_with(|sign: char| sign.is_ascii_digit())
         && unit.starts_with(|sign: char| sign.is_alphabetic() || "%°".contains(sign))
         && (unit.contains(['/', '·']) || unit.trim_end_matches([',', ';', '.', ':', ')']).chars().count() <= UNIT)
-}
-
-/// A text escaped for a page or a quoted attribute, whatever characters it contains.
-fn escaped(text: &str) -> String {
-    marks(&clean::line(text))
-}
-
-fn escaped_lines(text: &str) -> String {
-    marks(&clean::lines(text))
-}
-
-fn marks(text: &str) -> String {
-    let mut shown = String::with_capacity(text.len());
-    for sign in text.chars() {
-        match sign {
-            '&' => shown.push_str("&amp;"),
-            '<' => shown.push_str("&lt;"),
-            '>' => shown.push_str("&gt;"),
-            '"' => shown.push_str("&quot;"),
-            '\'' => shown.push_str("&#39;"),
-            other => shown.push(other),
-        }
-    }
-    shown
 }
 
 #[cfg(test)]

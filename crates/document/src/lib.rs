@@ -19,9 +19,9 @@ mod text;
 mod tree;
 mod words;
 
-pub use clean::{line as cleaned, lines as cleaned_lines};
+pub use clean::{capital, escaped, escaped_lines, line as cleaned, lines as cleaned_lines};
 pub use decimal::{Decimal, NotDecimal};
-pub use form::{CellKind, FORM_WIDTH, Form, FormCell, FormRow, Spanning};
+pub use form::{CellKind, FORM_LINE_MM, FORM_STEP_MM, FORM_WIDTH, Form, FormCell, FormRow, Spanning};
 pub use format::{Contradiction, Format, agreed};
 pub use html::html;
 pub use inline::{Inline, Inlines};

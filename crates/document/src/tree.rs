@@ -120,6 +120,16 @@ impl Severity {
             Self::Note => "note",
         }
     }
+
+    /// Its colour on paper, as `#rrggbb`: dark enough to be read on white.
+    pub const fn colour(self) -> &'static str {
+        match self {
+            Self::Error => "#b3261e",
+            Self::Wrong => "#b45309",
+            Self::Doubtful => "#52606d",
+            Self::Note => "#2f6f4f",
+        }
+    }
 }
 
 /// A finding.

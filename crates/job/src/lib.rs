@@ -9,6 +9,7 @@
 //!   `clearance` checks what the tools pass over;
 //! - `envelope` is how thick the tools are over their cutters;
 //! - `time` is the duration of the work: cutting, rapids and manual work;
+//! - `norm` is the norm of time of the operation: per piece and per lot;
 //! - `unfinished` is what the job leaves undone of the part.
 //!
 //! Architecture invariant: a job depends on no control and makes no decision that a rule can make.
@@ -17,6 +18,7 @@ mod clearance;
 mod cycle;
 mod envelope;
 mod make;
+mod norm;
 mod on_table;
 mod part_position;
 mod stand;
@@ -24,7 +26,7 @@ mod time;
 mod unfinished;
 
 // The types of other crates, under one name each in the whole program.
-use technolog_core::{error, machine, motion, note, part, plan, shop, zone};
+use technolog_core::{error, machine, material, motion, note, part, plan, shop, zone};
 use technolog_knowledge::{self as knowledge, units};
 use technolog_tables as tables;
 
@@ -41,6 +43,7 @@ use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 pub use cycle::{Feeding, cycle};
 pub use envelope::{Body, BodyKind, Envelope};
 pub use make::make;
+pub use norm::{GivenTimes, Norm, NormItem, norm};
 pub use shop::convention;
 use time::timed;
 pub use time::{Duration, Hands};

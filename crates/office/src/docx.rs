@@ -12,12 +12,11 @@ mod table;
 use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};
 
-use technolog_document::{Block, Document, FindingBlock, Inline, Inlines, Item, Severity, Words};
+use technolog_document::{Block, Document, FindingBlock, Inline, Inlines, Item, Words, escaped, escaped_lines};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
 use crate::OfficeError;
-use crate::xml::{escaped, escaped_lines};
 use figure::Figure;
 use parts::Paper;
 use table::Fit;
@@ -33,16 +32,20 @@ pub fn docx(document: &Document, words: &Words) -> Result<Vec<u8>, OfficeError> 
     if !document.title.is_empty() && !is_form {
         body.paragraph("Title", "", &line(&document.title));
     }
-    for (at, block) in document.blocks.iter().enumerate() {
+    let fits = document.blocks.iter().map(|block| match block {
+        Block::Table(table) => Some(Fit::of(table)),
+        _ => None,
+    });
+    let blocks: Vec<(&Block, Option<Fit>)> = document.blocks.iter().zip(fits).collect();
+    for (at, &(block, ref fit)) in blocks.iter().enumerate() {
         // A heading lies as its table does.
-        let first = document.blocks[at..].iter().find(|block| !matches!(block, Block::Heading { .. }));
-        let fit = first.and_then(|block| if let Block::Table(table) = block { Some(Fit::of(table)) } else { None });
-        body.turn(match (first, &fit) {
-            (Some(Block::Form(_)), _) => Paper::Form,
-            (_, Some(fit)) if fit.landscape => Paper::Across,
+        let first = blocks[at..].iter().find(|(block, _)| !matches!(block, Block::Heading { .. }));
+        body.turn(match first {
+            Some((Block::Form(_), _)) => Paper::Form,
+            Some((_, Some(fit))) if fit.landscape => Paper::Across,
             _ => Paper::Upright,
         });
-        match (block, &fit) {
+        match (block, fit) {
             (Block::Table(table), Some(fit)) => table::write(&mut body, table, fit),
             _ => body.block(block),
         }
@@ -109,8 +112,8 @@ impl<'d> Body<'d> {
                 }
             }
             Block::Code(code) => {
-                for own in escaped_lines(code) {
-                    self.paragraph("Code", "", &run("", &own));
+                for own in escaped_lines(code).lines() {
+                    self.paragraph("Code", "", &run("", own));
                 }
             }
             Block::Fields(fields) => {
@@ -155,12 +158,7 @@ impl<'d> Body<'d> {
 
     /// A finding with its word, as a paragraph; its basis and remedy under it.
     fn finding(&mut self, finding: &FindingBlock) {
-        let colour = match finding.severity {
-            Severity::Error => "B3261E",
-            Severity::Wrong => "9A4508",
-            Severity::Doubtful => "52606D",
-            Severity::Note => "2F6F4F",
-        };
+        let colour = finding.severity.colour().trim_start_matches('#').to_uppercase();
         let mut runs = run(&format!("<w:b/><w:color w:val=\"{colour}\"/>"), &escaped(&finding.label()));
         if let Some(place) = &finding.place {
             runs.push_str(&line(&Inlines::from(" ").code(place)));

@@ -9,7 +9,6 @@ mod docx;
 mod emf;
 mod svg;
 mod xlsx;
-mod xml;
 
 pub use docx::docx;
 pub use xlsx::xlsx;

@@ -1,5 +1,5 @@
 //! Workbooks: a sheet for each table, figures as numbers with the places that paper has, units in the heads, filters; no
-//! formulas. The first sheet has what stands around the tables, so that no warning is lost.
+//! formulas. The first sheet has what stands around the tables, so that no warning is lost; `form` is a sheet of a form.
 
 use std::collections::BTreeSet;
 
@@ -8,11 +8,17 @@ use technolog_document::{Align, Block, Decimal, Document, FindingBlock, Inlines,
 
 use crate::OfficeError;
 
+mod form;
+
 /// The longest name of a sheet, in characters, and what it may not contain.
 const NAME: usize = 31;
 const FORBIDDEN: &[char] = &['[', ']', ':', '*', '?', '/', '\\'];
 /// The widest column, in characters.
 const WIDEST: f64 = 60.0;
+/// The width of the first sheet, in characters.
+const FRONT: f64 = 110.0;
+/// The height of a line, in points.
+const LINE: f64 = 15.0;
 /// The longest text of a cell, in characters.
 const CELL: usize = 32_767;
 
@@ -30,7 +36,7 @@ pub fn xlsx(document: &Document, words: &Words) -> Result<Vec<u8>, OfficeError> 
     let mut names = Names(BTreeSet::new());
     let front_name = names.take(&title);
     let mut front = Front { sheet: Worksheet::new(), row: 0, words };
-    front.sheet.set_name(&front_name)?.set_column_width(0, 110)?;
+    front.sheet.set_name(&front_name)?.set_print_fit_to_pages(1, 0).set_column_width(0, FRONT)?;
     let bold = Format::new().set_bold().set_font_size(14).set_text_wrap();
     front.line(&title, 0, Some(&bold))?;
     let mut heading = title;
@@ -44,10 +50,13 @@ pub fn xlsx(document: &Document, words: &Words) -> Result<Vec<u8>, OfficeError> 
             }
             Block::Table(table) if !table.columns().is_empty() => {
                 let name = names.take(&heading);
-                let url = Url::new(format!("internal:'{}'!A1", name.replace('\'', "''"))).set_text(&name);
-                front.sheet.write_url(front.row, 0, url)?;
-                front.row += 1;
+                front.link(&name)?;
                 sheets.push(sheet(table, &name)?);
+            }
+            Block::Form(own) => {
+                let name = names.take(&heading);
+                front.link(&name)?;
+                sheets.push(form::sheet(own, &name)?);
             }
             other => front.block(other)?,
         }
@@ -107,13 +116,17 @@ impl Front<'_> {
             Block::Fields(fields) => fields
                 .iter()
                 .try_for_each(|field| self.line(&format!("{}: {}", field.label.plain(), field.value.plain()), 0, None)),
-            // A sheet of a form is what is filled in, row by row: its frame is for paper.
-            Block::Form(form) => {
-                self.line(&form.mark, 0, None)?;
-                form.lines().iter().try_for_each(|own| self.line(&own.plain(), 0, None))
-            }
-            Block::Heading { .. } | Block::Table(_) => Ok(()),
+            // On sheets of their own.
+            Block::Heading { .. } | Block::Table(_) | Block::Form(_) => Ok(()),
         }
+    }
+
+    /// A line that leads to another sheet.
+    fn link(&mut self, name: &str) -> Result<(), OfficeError> {
+        let url = Url::new(format!("internal:'{}'!A1", name.replace('\'', "''"))).set_text(name);
+        self.sheet.write_url(self.row, 0, url)?;
+        self.row += 1;
+        Ok(())
     }
 
     fn items(&mut self, items: &[Item], depth: u8) -> Result<(), OfficeError> {
@@ -134,6 +147,8 @@ impl Front<'_> {
 
     fn line(&mut self, text: &str, indent: u8, format: Option<&Format>) -> Result<(), OfficeError> {
         let plain = Format::new().set_text_wrap().set_indent(indent);
+        let room = FRONT - 3.0 * f64::from(indent) - if format.is_some() { FRONT / 4.0 } else { 0.0 };
+        tall(&mut self.sheet, self.row, lines(text, room))?;
         self.sheet.write_string_with_format(self.row, 0, text_of(text), format.unwrap_or(&plain))?;
         self.row += 1;
         Ok(())
@@ -143,21 +158,32 @@ impl Front<'_> {
 /// A table on a sheet of its own: the head stays in sight and filters.
 fn sheet(table: &Table, name: &str) -> Result<Worksheet, OfficeError> {
     let mut sheet = Worksheet::new();
-    sheet.set_name(name)?;
+    // On paper it is as wide as a page, and as long as it needs.
+    sheet.set_name(name)?.set_landscape().set_paper_size(9).set_print_fit_to_pages(1, 0);
     let head = Format::new().set_bold().set_text_wrap().set_align(FormatAlign::Top);
     let columns: Vec<u16> = (0..).take(table.columns().len()).collect();
     let first = u32::from(table.has_head());
     let wrapped = Format::new().set_text_wrap().set_align(FormatAlign::Top);
+    let mut rooms = Vec::new();
     for (&at, column) in columns.iter().zip(table.columns()) {
         if table.has_head() {
             sheet.write_string_with_format(0, at, text_of(&column.head().plain()), &head)?;
         }
         let cells = table.rows().iter().map(|row| row[usize::from(at)].plain().chars().count());
         let longest = cells.chain(column.head().plain().split(' ').map(|word| word.chars().count() + 2)).max();
-        sheet.set_column_width(at, (longest.unwrap_or(0) as f64 + 2.0).min(WIDEST))?;
+        let width = (longest.unwrap_or(0) as f64 + 2.0).min(WIDEST);
+        sheet.set_column_width(at, width)?;
+        rooms.push(width - 1.0);
+    }
+    let of_row = |texts: &mut dyn Iterator<Item = String>| -> usize {
+        texts.zip(&rooms).map(|(text, room)| lines(&text, *room)).max().unwrap_or(1)
+    };
+    if table.has_head() {
+        tall(&mut sheet, 0, of_row(&mut table.columns().iter().map(|column| column.head().plain())))?;
     }
     let mut row = first;
     for cells in table.rows() {
+        tall(&mut sheet, row, of_row(&mut cells.iter().map(Inlines::plain)))?;
         for ((&at, cell), column) in columns.iter().zip(cells).zip(table.columns()) {
             match figure(cell, column.align) {
                 Some((value, unit)) => {
@@ -182,6 +208,29 @@ fn sheet(table: &Table, name: &str) -> Result<Worksheet, OfficeError> {
         sheet.write_string(row, 0, text_of(&note.plain()))?;
     }
     Ok(sheet)
+}
+
+/// How many lines a text takes in a cell of so many characters, broken at spaces.
+fn lines(text: &str, room: f64) -> usize {
+    let mut taken = 1;
+    let mut long = 0.0;
+    for word in text.split(' ').map(|word| word.chars().count() as f64) {
+        if long > 0.0 && long + 1.0 + word > room {
+            (taken, long) = (taken + 1, 0.0);
+        }
+        // A word that no cell holds is broken.
+        taken += ((word / room).ceil() as usize).saturating_sub(1);
+        long += word + if long > 0.0 { 1.0 } else { 0.0 };
+    }
+    taken
+}
+
+/// Makes a row as tall as its lines: not every program for tables does it by itself.
+fn tall(sheet: &mut Worksheet, row: u32, lines: usize) -> Result<(), OfficeError> {
+    if lines > 1 {
+        sheet.set_row_height(row, LINE * lines as f64)?;
+    }
+    Ok(())
 }
 
 /// A cell that is one figure; in a column of figures that is so whatever it was made of.

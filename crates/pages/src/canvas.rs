@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::document::cleaned;
+use crate::document::escaped;
 
 /// Colours that colour-blind people can tell apart (Okabe and Ito, 2008).
 pub(super) const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
@@ -154,9 +154,4 @@ pub(super) fn broken(text: &str, size: f64, width: f64) -> Vec<String> {
         }
     }
     lines
-}
-
-/// A text escaped for XML; control characters are shown as a replacement character.
-pub(super) fn escaped(text: &str) -> String {
-    cleaned(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

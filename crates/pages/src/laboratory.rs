@@ -2,16 +2,17 @@
 //! program. What only the author can write has a marked place.
 //!
 //! - `forms` one form of it by itself, `cards` route and operation card, `tool_list` the tools; `title` the title block, read
-//!   from a file, `framed` the same around other pages; `limits` what the part needs of the machine;
+//!   from a file, `framed` the same around other pages; `limits` what the part needs of the machine, `norm` the
+//!   norm of time;
 //! - `from_above` the drawing of the part; `clamping`, `assemblies` and `zone` those of the set-up.
 
 use crate::document::{Block, Column, Document, Drawing, Field, Inlines, Item, Table};
 use crate::error::KnowledgeError;
-use crate::job::Job;
+use crate::job::{Job, Norm};
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::motion::MotionStep;
-use crate::note::Note;
+use crate::note::{Finding, Note};
 use crate::part::{CentreTolerance, Hole, HoleStep};
 use crate::plan::{HolePlan, Plan, Transition};
 use crate::program::Setting;
@@ -31,6 +32,7 @@ mod forms;
 mod framed;
 mod from_above;
 mod limits;
+mod norm;
 mod title;
 mod tool_list;
 mod zone;
@@ -55,14 +57,31 @@ pub struct Sources<'a> {
     pub sheet: &'a EncodingSheet,
     /// The motions of the program, read back.
     pub steps: &'a [MotionStep],
+    /// All that is wrong with plan and program, the gravest first.
+    pub wrong: &'a [Finding],
     /// Why the program must not be run, in words; none if it may.
     pub warning: Option<&'a str>,
     /// What is left undone of the part when the program has run, in words.
     pub left: &'a [String],
+    /// The norm of time; none for a part that is not made whole.
+    pub norm: Option<&'a Norm>,
     /// The control, by its name on the command line.
     pub control: &'a str,
     /// The tables.
     pub knowledge: &'a Knowledge,
+}
+
+impl Sources<'_> {
+    /// Whether nothing is wrong with plan and program, and the program leaves nothing undone.
+    pub fn is_clean(&self) -> bool {
+        !self.plan.has_errors() && self.wrong.is_empty() && self.warning.is_none() && self.left.is_empty()
+    }
+
+    /// What is wrong with the program that the plan does not say itself.
+    fn of_program(&self) -> impl Iterator<Item = &Finding> {
+        let of_plan = |finding: &Finding| self.plan.findings.iter().any(|own| own.note == finding.note);
+        self.wrong.iter().filter(move |finding| !of_plan(finding))
+    }
 }
 
 /// The report.
@@ -79,7 +98,20 @@ pub fn page(sources: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Result<Doc
         page.heading(2, say!(lang, "lab-part", number = number, name = name));
         part(&mut page, number, sources, title, &machine, lang);
     }
+    // The cards belong to the whole report; who chooses parts has them by themselves.
+    if title.parts.is_none() {
+        annex(&mut page, say!(lang, "lab-annex-route"), cards::route_card(sources, title, lang));
+        annex(&mut page, say!(lang, "lab-annex-operation"), cards::operation_card(sources, title, lang));
+    }
     Ok(page)
+}
+
+/// A card behind the report: its remarks under the heading, then its sheets, which fill pages of their own.
+fn annex(page: &mut Document, name: &str, card: Document) {
+    page.heading(2, name);
+    let (sheets, remarks): (Vec<Block>, Vec<Block>) =
+        card.blocks.into_iter().partition(|block| matches!(block, Block::Form(_)));
+    page.blocks.extend(remarks.into_iter().chain(sheets));
 }
 
 const PART_NAMES: [&str; PARTS as usize] = [
@@ -115,6 +147,7 @@ fn part(page: &mut Document, number: u8, own: &Sources<'_>, title: &TitleBlock, 
         9 => {
             sheet::conditions(page, plan, lang);
             allowances(page, plan, lang);
+            norm::section(page, own, lang);
         }
         10 => {
             sheet::set_up(page, plan, lang);
@@ -358,12 +391,12 @@ fn conclusions(page: &mut Document, own: &Sources<'_>, title: &TitleBlock, lang:
         page.paragraph(say!(lang, "lab-slowest", hole = hole.name.as_str(), time = exactly(time, 2)));
     }
     let (listed, _) = Doubts::Counted.split(plan.findings.iter());
-    listed.into_iter().for_each(|finding| sheet::finding(page, finding, lang));
+    listed.into_iter().chain(own.of_program()).for_each(|finding| sheet::finding(page, finding, lang));
     let count = unconfirmed(plan.findings.iter()).len();
     if count > 0 {
         page.paragraph(say!(lang, "lab-unconfirmed", count = count));
     }
-    if !plan.has_errors() && own.warning.is_none() {
+    if own.is_clean() {
         page.paragraph(say!(lang, "lab-nothing-wrong"));
     }
     by_author(page, title.conclusions.as_deref(), "lab-write-conclusions", lang);

@@ -1,5 +1,6 @@
 //! The purpose of a job's cycle in a technologist's words: `Свердління 6 отв. Ø10H12 (A)`.
 
+use crate::document::capital;
 use crate::job::{Pause, ToolWork};
 use crate::note::Figure;
 use crate::part::{Hole, Part};
@@ -60,11 +61,6 @@ fn holes(hole: &Hole, transition: &Transition, count: usize, lang: Lang) -> Stri
         return say!(lang, "cycles-holes", count = count, size = size, hole = name);
     }
     say!(lang, "cycles-holes-to", count = count, size = size, hole = name, diameter = transition.diameter_mm)
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
 }
 
 /// The operator's task.

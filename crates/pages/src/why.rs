@@ -90,8 +90,8 @@ pub fn explain(plan: &Plan, hole: &HolePlan, knowledge: &Knowledge, lang: Lang) 
 
 /// The sources that reasons name by letters, such as QT, with where each is found. Letters that two lists have are those
 /// of the list that the reason's own table refers to; else those of facts.
-fn named_sources<'k>(
-    reasons: impl Iterator<Item = &'k Because>,
+pub(super) fn named_sources<'k, 'r>(
+    reasons: impl Iterator<Item = &'r Because>,
     knowledge: &'k Knowledge,
 ) -> Result<BTreeMap<&'k str, &'k str>, KnowledgeError> {
     let facts: BTreeMap<_, _> = knowledge.rows::<FactSource<'_>>()?.iter().map(|row| (row.id, row.page)).collect();

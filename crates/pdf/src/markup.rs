@@ -1,8 +1,8 @@
 //! A page as a text of Typst. Every word of the page stands in it as a quoted string, so that none is read as markup.
 
 use technolog_document::{
-    Align, Block, CellKind, Column, Document, Drawing, FindingBlock, Form, Inline, Inlines, Item, Severity, Table,
-    Words, cleaned, cleaned_lines,
+    Align, Block, CellKind, Column, Document, Drawing, FORM_LINE_MM, FORM_STEP_MM, FindingBlock, Form, Inline, Inlines,
+    Item, Table, Words, capital, cleaned, cleaned_lines,
 };
 
 /// What every page has: margins, spacing, and the functions that the blocks below call.
@@ -95,12 +95,7 @@ impl Page<'_> {
     }
 
     fn finding(&mut self, own: &FindingBlock) {
-        let colour = match own.severity {
-            Severity::Error => "rgb(\"#b3261e\")",
-            Severity::Wrong => "rgb(\"#b45309\")",
-            Severity::Doubtful => "rgb(\"#52606d\")",
-            Severity::Note => "rgb(\"#2f6f4f\")",
-        };
+        let colour = format!("rgb({})", quoted(own.severity.colour()));
         let mut words = Inlines::default().strong(own.label());
         if let Some(place) = &own.place {
             words = words.text(" ").code(place);
@@ -132,8 +127,9 @@ impl Page<'_> {
     fn form(&mut self, form: &Form) {
         let (widths, rows) = form.columns();
         let list = |all: Vec<String>| all.into_iter().map(|one| one + ", ").collect::<String>();
-        let columns = list(widths.iter().map(|width| format!("{:.1}mm", f64::from(*width) * 2.6)).collect());
-        let heights = list(form.rows.iter().map(|row| format!("{:.2}mm", f64::from(row.lines) * 4.25)).collect());
+        let columns = list(widths.iter().map(|width| format!("{:.1}mm", f64::from(*width) * FORM_STEP_MM)).collect());
+        let heights =
+            list(form.rows.iter().map(|row| format!("{:.2}mm", f64::from(row.lines) * FORM_LINE_MM)).collect());
         let mut cells = String::new();
         for row in rows {
             let last = row.len().saturating_sub(1);
@@ -159,11 +155,6 @@ fn list(items: &[Item]) -> String {
         inner => format!("{} + {}", line(&item.words), list(inner)),
     };
     format!("list({})", items.iter().map(item).collect::<Vec<_>>().join(", "))
-}
-
-fn capital(word: &str) -> String {
-    let mut signs = word.chars();
-    signs.next().map_or_else(String::new, |first| first.to_uppercase().chain(signs).collect())
 }
 
 /// A line as a sum of contents.

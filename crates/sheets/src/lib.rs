@@ -7,7 +7,7 @@ mod workbook;
 
 use technolog_note::{Note, note};
 
-pub use separated::written as csv;
+pub use separated::{lines, written as csv};
 pub use workbook::written as xlsx;
 
 /// The most cells of a file that are not empty.

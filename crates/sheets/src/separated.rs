@@ -72,7 +72,7 @@ fn records(text: &str, separator: char) -> Result<Vec<(u32, Vec<String>)>, Unrea
     let (mut line, mut began) = (1_u32, 1_u32);
     let (mut fields, mut field, mut quoted) = (Vec::new(), String::new(), None);
     let mut signs = text.chars().peekable();
-    let trimmed = |field: &mut String| std::mem::take(field).split_whitespace().collect::<Vec<_>>().join(" ");
+    let trimmed = |field: &mut String| unmarked(std::mem::take(field).split_whitespace().collect::<Vec<_>>().join(" "));
     while let Some(sign) = signs.next() {
         line = line.saturating_add(u32::from(sign == '\n'));
         match sign {
@@ -105,21 +105,57 @@ fn records(text: &str, separator: char) -> Result<Vec<(u32, Vec<String>)>, Unrea
 
 /// Tables as text with semicolons, each under a line with its name, with the mark of bytes that Excel goes by. `sign` is the decimal sign
 /// of the reader's country: Excel takes 10.5 for a day where it is a comma.
-pub fn written(sheets: &[Sheet], sign: char) -> String {
-    let mut text = String::from('\u{feff}');
-    for (at, sheet) in sheets.iter().enumerate() {
-        if at > 0 {
-            text.push_str("\r\n");
-        }
-        if !sheet.name.is_empty() {
-            text.push_str(&format!("{}\r\n", field(&sheet.name)));
-        }
-        for row in &sheet.rows {
-            let fields: Vec<String> = row.cells.iter().map(|cell| field(&with_sign(cell, sign))).collect();
-            text.push_str(&format!("{}\r\n", fields.join(";")));
-        }
+///
+/// # Errors
+/// The library cannot write it; its reason.
+pub fn written(sheets: &[Sheet], sign: char) -> Result<String, String> {
+    let mut tables = Vec::new();
+    for sheet in sheets {
+        let name = (!sheet.name.is_empty()).then(|| vec![sheet.name.clone()]);
+        let rows = sheet.rows.iter().map(|row| row.cells.iter().map(|cell| with_sign(cell, sign)).collect());
+        tables.push(lines(name.into_iter().chain(rows), b';', "\r\n")?);
     }
-    text
+    Ok(format!("\u{feff}{}", tables.join("\r\n")))
+}
+
+/// Rows as lines of separated fields (RFC 4180), quoted where they need it. A text that a program for tables would take for a formula
+/// stands behind an apostrophe, which such programs do not show.
+///
+/// # Errors
+/// The library cannot write it; its reason.
+pub fn lines(rows: impl IntoIterator<Item = Vec<String>>, separator: u8, ending: &str) -> Result<String, String> {
+    let ends = if ending == "\n" { csv::Terminator::Any(b'\n') } else { csv::Terminator::CRLF };
+    let mut writer =
+        csv::WriterBuilder::new().delimiter(separator).terminator(ends).flexible(true).from_writer(Vec::new());
+    for row in rows {
+        writer.write_record(row.iter().map(|cell| as_text(cell))).map_err(|error| error.to_string())?;
+    }
+    let bytes = writer.into_inner().map_err(|error| error.to_string())?;
+    String::from_utf8(bytes).map_err(|error| error.to_string())
+}
+
+/// A cell that no program takes for a formula: a name such as `=HYPERLINK(…)` comes from files of other people.
+fn as_text(cell: &str) -> String {
+    let mark = if is_formula(cell) { "'" } else { "" };
+    format!("{mark}{cell}")
+}
+
+/// Whether a program for tables would reckon with a text: it begins as a formula, and is neither a figure nor a sign alone.
+fn is_formula(cell: &str) -> bool {
+    let figure = |text: &str| text.bytes().all(|sign| sign.is_ascii_digit() || matches!(sign, b'.' | b','));
+    match cell.chars().next() {
+        Some('=' | '@') => true,
+        Some('+' | '-') => !figure(cell.get(1..).unwrap_or_default()),
+        _ => false,
+    }
+}
+
+/// A field as it was before it was written: without the apostrophe before what begins as a formula.
+fn unmarked(field: String) -> String {
+    match field.strip_prefix('\'') {
+        Some(rest) if is_formula(rest) => rest.to_owned(),
+        _ => field,
+    }
 }
 
 /// A figure with that decimal sign; any other text as it is.
@@ -131,11 +167,6 @@ fn with_sign(text: &str, sign: char) -> String {
             && whole.bytes().chain(places.bytes()).all(|digit| digit.is_ascii_digit())
     });
     if parts.is_some() { text.replace('.', &sign.to_string()) } else { text.to_owned() }
-}
-
-fn field(text: &str) -> String {
-    let plain = !text.contains([';', '"', '\n', '\r', '\t']);
-    if plain { text.to_owned() } else { format!("\"{}\"", text.replace('"', "\"\"")) }
 }
 
 #[cfg(test)]
@@ -174,7 +205,22 @@ mod tests {
     #[test]
     fn what_is_written_is_read_back() {
         let rows = vec![Row { line: 2, cells: vec!["a;b".to_owned(), String::new(), "\"c\"".to_owned()] }];
-        let text = written(&[Sheet { name: "Маршрут".to_owned(), rows }], ',');
+        let text = written(&[Sheet { name: "Маршрут".to_owned(), rows }], ',').unwrap();
         assert_eq!(cells(text.as_bytes()), vec![row(1, &["Маршрут"]), row(2, &["a;b", "", "\"c\""])]);
+    }
+
+    #[test]
+    fn no_name_is_a_formula() {
+        let cells = ["=1+1", "+A1", "-A1", "@SUM(A1)", "=HYPERLINK(\"http://x\")", "-", "+5", "-0.5", "-200", "a=b"];
+        let row = |cells: &[&str]| cells.iter().map(|&cell| cell.to_owned()).collect::<Vec<_>>();
+        let sheet = Sheet { name: "=A".to_owned(), rows: vec![Row { line: 2, cells: row(&cells) }] };
+        let text = written(&[sheet], '.').unwrap();
+        let line = text.lines().last().unwrap();
+        let expected = "'=1+1;'+A1;'-A1;'@SUM(A1);\"'=HYPERLINK(\"\"http://x\"\")\";-;+5;-0.5;-200;a=b";
+        assert!(line == expected && text.lines().next().unwrap().ends_with("'=A"), "{text}");
+        assert_eq!(
+            read(text.as_bytes()).unwrap().rows.into_iter().map(|row| (row.line, row.cells)).collect::<Vec<_>>(),
+            vec![(1, row(&["=A"])), (2, row(&cells))]
+        );
     }
 }

@@ -2,7 +2,7 @@
 
 use technolog_knowledge::contract::Named;
 use technolog_knowledge::units::{
-    Brinell, ItGrade, Megapascals, MetresPerMinute, Micrometres, Microns, MillimetresPerRev,
+    Brinell, ItGrade, Kilograms, Megapascals, MetresPerMinute, Micrometres, Microns, MillimetresPerRev, Seconds,
 };
 use technolog_knowledge::{rows, vocabulary};
 
@@ -19,7 +19,73 @@ vocabulary! {
     }
 }
 
+vocabulary! {
+    /// What a part is clamped by when it is loaded.
+    pub enum LoadedBy {
+        /// Straps on the table.
+        Straps = "straps",
+        /// A vice.
+        Vice = "vice",
+    }
+
+    /// A figure of `time-norms`.
+    pub enum TimeNorm {
+        /// Order, papers, program and tools are received, min a lot.
+        ReceiveOrder = "receive-order",
+        /// Papers are read, min a lot.
+        StudyOrder = "study-order",
+        /// The foreman instructs, min a lot.
+        Instruction = "instruction",
+        /// The machine is set with its first tools, min a lot.
+        SetUp = "set-up",
+        /// How many tools are in that time.
+        SetUpTools = "set-up-tools",
+        /// A further tool, min a lot.
+        Tool = "tool",
+        /// The zero of a set-up, min a lot.
+        Zeros = "zeros",
+        /// A clamp beyond three, min a piece.
+        MoreClamp = "more-clamp",
+        /// A plug in a hole of grade 11 and coarser, min.
+        PlugCoarse = "plug-coarse",
+        /// A plug in a finer hole, min.
+        PlugFine = "plug-fine",
+        /// A plug in a thread, min.
+        ThreadPlug = "thread-plug",
+        /// Looking after the place of work, % of the time at work.
+        Service = "service",
+        /// Rest and needs, % of the time at work.
+        Rest = "rest",
+    }
+}
+
+impl TimeNorm {
+    /// The unit of its value, as the table writes it.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::SetUpTools => "1",
+            Self::Service | Self::Rest => "%",
+            _ => "min",
+        }
+    }
+}
+
 rows! {
+    /// Norms of time for an operation of an NC machine.
+    pub struct TimeNorms of One("time-norms") complete name {
+        name: TimeNorm,
+        value: f64,
+        unit: &'t str,
+    }
+
+    /// Time to load, clamp and unload a part.
+    pub struct LoadingTime of One("loading-time") asked by LoadingTimeFor {
+        held: LoadedBy,
+        mass: Kilograms,
+    } {
+        time: Seconds,
+    }
+
     /// The accuracy of a method on an ordinary machine tool.
     pub struct ReachOfTransition of One("reach-of-transition") asked by ReachOfTransitionFor<'t> {
         way: &'t str,

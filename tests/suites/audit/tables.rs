@@ -308,7 +308,7 @@ fn templates_are_plans() {
         let expected = said(&AUDITOR.audit(&hand).unwrap());
         for lang in [Lang::UK, Lang::EN] {
             let tables = by_tables(&plan, path, lang);
-            let csv = sheets::csv(&tables, if lang.tag() == "uk" { ',' } else { '.' });
+            let csv = sheets::csv(&tables, if lang.tag() == "uk" { ',' } else { '.' }).unwrap();
             let books = [
                 sheets::read(Kind::Csv, csv.as_bytes()).unwrap(),
                 sheets::read(Kind::Xlsx, &sheets::xlsx(&tables).unwrap()).unwrap(),

@@ -14,13 +14,15 @@ const LOOK: &str = r#"<script>addEventListener("load", () => {
     if (!image.naturalWidth) faults.push("a drawing that is not shown: " + image.alt);
   }
   for (const head of all("th")) if (!head.scope) faults.push("a head of nothing: " + head.textContent);
-  for (const table of all("table")) if (!table.querySelector("thead th")) faults.push("a table without heads");
+  for (const table of all("table:not([role=presentation])")) if (!table.querySelector("thead th")) faults.push("a table without heads");
   let last = 0;
   for (const heading of all("h1,h2,h3,h4,h5,h6")) {
     const level = Number(heading.tagName[1]);
     if (level > last + 1) faults.push("a level is left out before: " + heading.textContent);
     last = level;
   }
+  for (const cell of all(".form td.line, .form td.value"))
+    if (cell.cellIndex > 0 && /^[0-9][0-9.,]*\*?$/.test(cell.textContent.trim())) faults.push("a figure of a form without its name: " + cell.textContent);
   for (const frame of all("[tabindex]")) if (!frame.getAttribute("aria-label")) faults.push("a frame without a name");
   // WCAG 2.1, 1.4.3: relative luminance, and 4.5 for letters of usual size.
   const part = (value) => (value /= 255) <= 0.03928 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;

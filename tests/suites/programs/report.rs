@@ -35,10 +35,13 @@ fn every_report_has_the_sixteen_parts_in_order() {
     for part in parts() {
         for lang in ["uk", "en"] {
             let text = printed(&["report", part.to_str().unwrap(), "--lang", lang, "--format", "markdown"]);
-            let headings = text.lines().filter_map(|line| line.strip_prefix("## "));
-            let numbers: Vec<u32> =
-                headings.map(|heading| heading.replace('\\', "").split('.').next().unwrap().parse().unwrap()).collect();
-            assert_eq!(numbers, (1..=16).collect::<Vec<_>>(), "{part:?} {lang}");
+            let headings: Vec<&str> = text.lines().filter_map(|line| line.strip_prefix("## ")).collect();
+            let number = |heading: &str| heading.replace('\\', "").split('.').next().unwrap().parse::<u32>().ok();
+            let numbers: Vec<Option<u32>> = headings.iter().map(|heading| number(heading)).collect();
+            // Behind them stand the cards.
+            let expected: Vec<Option<u32>> = (1..=16).map(Some).chain([None, None]).collect();
+            assert_eq!(numbers, expected, "{part:?} {lang}");
+            assert!(text.contains("ГОСТ 3.1118-82") && text.contains("ГОСТ 3.1404-86"), "{part:?} {lang}: no cards");
             assert!(!text.contains("lab-"), "{part:?} {lang}: a message without words");
         }
     }
@@ -148,5 +151,38 @@ fn what_cannot_be_made_is_said_in_parts_4_15_and_16() {
     assert_eq!(output.status.code(), Some(1), "{text}");
     assert!(text.contains("Not all of the task can be done") && text.contains("must not be run"), "{text}");
     assert!(!text.contains("found no error"), "{text}");
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+/// A thread on a machine that cannot tap is planned, and no program makes it: the report says what the program says, whatever the
+/// control.
+#[test]
+fn conclusions_are_those_of_plan_and_program() {
+    let folder = std::env::temp_dir().join(format!("technolog-thread-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("part.yaml");
+    let mut refused = 0;
+    for machine in ["gf2171", "ir500pmf4", "haas-vf5-50"] {
+        let text = format!(
+            "part: Thread\nmaterial: steel-45\nblank: {{kind: plate, length: 200, width: 120, thickness: 20}}\nmachine: {machine}\n\
+             holes:\n  - {{name: A, thread: M10, depth: 20, through: true, roughness: Ra 6.3, centre_tolerance: 0.4, at: [[0, 0]]}}\n"
+        );
+        std::fs::write(&path, text).unwrap();
+        let part = path.to_str().unwrap();
+        for control in ["2c42-65", "linuxcnc", "fanuc", "grbl"] {
+            let program = run(&["program", part, "--control", control, "--lang", "en"]);
+            let report = run(&["report", part, "--control", control, "--lang", "en", "--format", "text"]);
+            assert_eq!(program.status.code(), report.status.code(), "{machine} {control}");
+            let text = String::from_utf8(report.stdout).unwrap();
+            let clean = report.status.code() == Some(0);
+            let words =
+                ["found no error in plan and program", "Every surface of the task can be machined", "Tpiece = "];
+            for word in words {
+                assert_eq!(text.contains(word), clean, "{machine} {control}: {word}\n{text}");
+            }
+            refused += usize::from(!clean);
+        }
+    }
+    assert!(refused >= 4, "no machine refuses a thread");
     std::fs::remove_dir_all(&folder).unwrap();
 }

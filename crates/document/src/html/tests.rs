@@ -39,3 +39,12 @@ fn a_drawing_is_an_image_of_its_own() {
         format!("<figure><img src=\"{image}\" alt=\"10 &quot;точок&quot;\">\n<figcaption>Шлях</figcaption></figure>\n")
     );
 }
+
+#[test]
+fn the_colours_of_findings_are_the_same_on_every_page() {
+    use crate::Severity;
+    for severity in [Severity::Error, Severity::Wrong, Severity::Doubtful, Severity::Note] {
+        let rule = format!("--{}: {};", severity.name(), severity.colour());
+        assert!(STYLE.contains(&rule), "{rule}");
+    }
+}

@@ -2,11 +2,10 @@
 
 use std::fmt::Write as _;
 
-use technolog_document::Drawing;
+use technolog_document::{Drawing, escaped};
 
 use super::parts::{HEIGHT_MM, WIDTH_MM};
 use crate::svg::{self, Picture};
-use crate::xml::escaped;
 
 /// English metric units in a pixel of 96 to the inch, and in a millimetre (ECMA-376, part 1, 20.1.2.1).
 const EMU_OF_PIXEL: f64 = 9525.0;

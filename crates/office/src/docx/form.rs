@@ -1,13 +1,12 @@
 //! A sheet of a form: one table whose columns are the edges of all its cells, which span them.
 
-use technolog_document::{CellKind, Form, FormCell};
+use technolog_document::{CellKind, FORM_LINE_MM, FORM_STEP_MM, Form, FormCell, escaped};
 
 use super::{Body, line, paragraph};
-use crate::xml::escaped;
 
-/// A step of a form and the height of one of its lines, in twentieths of a point: 2.6 and 4.25 mm.
-const STEP: f64 = 2.6 * 1440.0 / 25.4;
-const LINE: f64 = 4.25 * 1440.0 / 25.4;
+/// A step of a form and the height of one of its lines, in twentieths of a point.
+const STEP: f64 = FORM_STEP_MM * 1440.0 / 25.4;
+const LINE: f64 = FORM_LINE_MM * 1440.0 / 25.4;
 
 /// Writes a sheet; the next one begins a page.
 pub fn write(body: &mut Body<'_>, form: &Form) {

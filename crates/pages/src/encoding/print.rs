@@ -1,4 +1,4 @@
-//! The sheet as a page for people, and as CSV for other programs. JSON is the sheet itself.
+//! The sheet as a page for people, and as cells for other programs. JSON is the sheet itself.
 
 use crate::document::{Block, Column, Document, Field, Inlines, Keep, Table};
 use crate::words::say;
@@ -32,22 +32,15 @@ impl EncodingSheet {
         page
     }
 
-    /// The rows as CSV (RFC 4180), with the line number first.
-    pub fn csv(&self) -> String {
-        let mut text = String::from("line,transition,tool,code,meaning\r\n");
-        for row in &self.rows {
-            let cells = cells(row).map(|cell| quoted(&cell));
-            text.push_str(&format!("{},{}\r\n", row.line, cells.join(",")));
-        }
-        text
+    /// The rows as cells for a program for tables, the number of the line first, under their names.
+    pub fn rows_of_cells(&self) -> Vec<Vec<String>> {
+        let head = ["line", "transition", "tool", "code", "meaning"].map(str::to_owned).to_vec();
+        let row = |row: &SheetRow| std::iter::once(row.line.to_string()).chain(cells(row)).collect();
+        std::iter::once(head).chain(self.rows.iter().map(row)).collect()
     }
 }
 
 fn cells(row: &SheetRow) -> [String; 4] {
     let text = |cell: &Option<String>| cell.clone().unwrap_or_default();
     [text(&row.transition), text(&row.tool), row.code.clone(), row.meaning.clone()]
-}
-
-fn quoted(cell: &str) -> String {
-    if cell.contains([',', '"', '\n', '\r']) { format!("\"{}\"", cell.replace('"', "\"\"")) } else { cell.to_owned() }
 }

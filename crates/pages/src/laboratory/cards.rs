@@ -3,7 +3,7 @@
 //!
 //! Widths of columns, rows and the order of lines are those of drawn and of filled cards; the widths of the lines М01,
 //! М02 and of the strips of the operation card are ours, because no drawing of them was found. What a plan does not
-//! know (shop, profession, grade of work, preparatory and manual time) is an empty field, never a guess.
+//! know (section, place of work, what the title block does not give) is an empty field, never a guess.
 //!
 //! - `route` the route card; `operation` the operation card; here what they share: title block, lines, sheets.
 
@@ -13,6 +13,7 @@ use crate::plan::{Plan, ToolPlan, Transition};
 use crate::words::say;
 
 use super::super::sheet::{self, exactly};
+use super::norm::marked;
 use super::{Lang, Sources, TitleBlock};
 
 mod operation;
@@ -213,6 +214,13 @@ fn page(key: &'static str, forms: Vec<Form>, own: &Sources<'_>, remarks: &[&'sta
     page.blocks.extend(forms.into_iter().map(Block::from));
     remarks.iter().for_each(|key| page.paragraph(lang.word(key)));
     page
+}
+
+/// Time per piece and preparatory time of the norm, with the mark of what nothing confirms.
+fn times(own: &Sources<'_>, lang: Lang) -> [Inlines; 2] {
+    let Some(norm) = own.norm else { return [Inlines::default(), Inlines::default()] };
+    let [of_piece, of_lot] = norm.unconfirmed();
+    [marked(norm.piece, of_piece, lang), marked(Some(norm.preparatory), of_lot, lang)]
 }
 
 /// A cutter and its holder with their words, in the order of the line Т: `ДІ …; РІ …`.

@@ -5,7 +5,7 @@ use crate::error::KnowledgeError;
 
 use super::super::setting;
 use super::super::words::say;
-use super::{Lang, Sources, TitleBlock, cards, tool_list};
+use super::{Lang, Sources, TitleBlock, cards, norm, tool_list};
 
 /// A form that can be had by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,8 +43,12 @@ impl Form {
     /// The tables lack what it asks.
     pub fn page(self, own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Result<Document, KnowledgeError> {
         let mut page = match self {
-            Self::RouteCard => cards::route_card(own, title, lang),
-            Self::OperationCard => cards::operation_card(own, title, lang),
+            Self::RouteCard | Self::OperationCard => {
+                let card = if self == Self::RouteCard { cards::route_card } else { cards::operation_card };
+                let mut page = card(own, title, lang);
+                norm::section(&mut page, own, lang);
+                page
+            }
             Self::SettingSheet => setting::page(own.setting, own.plan, own.job, (own.control, own.knowledge), lang),
             Self::ToolList => {
                 let part = own.plan.part.part.as_str();

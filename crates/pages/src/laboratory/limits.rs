@@ -8,7 +8,7 @@ use crate::report::unit as unit_of;
 use crate::tables::machines::MachineQuantity;
 use crate::units::{Micrometres, Unit};
 
-use super::super::sheet::findings_of_errors;
+use super::super::sheet::{finding as finding_of, findings_of_errors};
 use super::super::words::say;
 use super::{Lang, Sources};
 
@@ -56,6 +56,7 @@ pub(super) fn section(page: &mut Document, own: &Sources<'_>, machine: &Machine<
     };
     page.paragraph(lang.word(key));
     findings_of_errors(page, plan, lang);
+    own.of_program().for_each(|finding| finding_of(page, finding, lang));
     page.push(Block::List(own.left.iter().map(|left| Inlines::sentence(left).into()).collect()));
 }
 

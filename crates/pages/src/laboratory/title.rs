@@ -3,9 +3,11 @@
 use schemars::{Schema, schema_for};
 use technolog_knowledge::forms;
 
+use crate::job::GivenTimes;
 use crate::knowledge::Diagnostic;
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node, Problems, parse};
+use crate::units::{Decimal, Minutes};
 use technolog_note::note;
 
 use super::PARTS;
@@ -17,7 +19,7 @@ pub fn schema() -> Schema {
 
 forms! {
     /// The title block of `technolog report --title`. Everything may be left out.
-    #[derive(Default, PartialEq, Eq)]
+    #[derive(Default, PartialEq)]
     pub struct TitleBlock {
         /// University, plant.
         pub institution: Option<String>,
@@ -43,6 +45,18 @@ forms! {
         pub fixture: Option<String>,
         /// The author's conclusions (part 16).
         pub conclusions: Option<String>,
+        /// How many parts a lot has, for the time per piece with the share of the lot.
+        pub lot: Option<u32>,
+        /// The shop's own time to load, clamp and unload a part, min.
+        pub loading: Option<f64>,
+        /// The shop's own time to prepare and close a lot, min.
+        pub preparatory: Option<f64>,
+        /// The workshop that makes the part, on the route card.
+        pub shop: Option<String>,
+        /// The trade of the operator, on the route card.
+        pub profession: Option<String>,
+        /// The grade of the work, on the route card.
+        pub grade: Option<String>,
         /// The numbers of the parts that are printed, 1 to 16; all of them unless said.
         pub parts: Option<Vec<u8>>,
     }
@@ -52,6 +66,11 @@ impl TitleBlock {
     /// Whether a part is printed.
     pub fn has(&self, number: u8) -> bool {
         self.parts.as_ref().is_none_or(|parts| parts.contains(&number))
+    }
+
+    /// The times that the shop gives.
+    pub fn times(&self) -> GivenTimes {
+        GivenTimes { lot: self.lot, loading: self.loading.map(Minutes), preparatory: self.preparatory.map(Minutes) }
     }
 
     /// The lines of the block that are filled in, each with the key of its label.
@@ -101,6 +120,12 @@ fn title(root: &Node, problems: &mut Problems) -> Option<TitleBlock> {
         task: line(&mut fields, TitleBlock::task, problems),
         fixture: line(&mut fields, TitleBlock::fixture, problems),
         conclusions: line(&mut fields, TitleBlock::conclusions, problems),
+        lot: fields.take(TitleBlock::lot).and_then(|node| lot(node, problems)),
+        loading: minutes(&mut fields, TitleBlock::loading, problems),
+        preparatory: minutes(&mut fields, TitleBlock::preparatory, problems),
+        shop: line(&mut fields, TitleBlock::shop, problems),
+        profession: line(&mut fields, TitleBlock::profession, problems),
+        grade: line(&mut fields, TitleBlock::grade, problems),
         parts: fields.take(TitleBlock::parts).map(|node| parts(node, problems)),
     };
     fields.finish(problems);
@@ -109,6 +134,24 @@ fn title(root: &Node, problems: &mut Problems) -> Option<TitleBlock> {
 
 fn line(fields: &mut Fields<'_, TitleBlock>, key: KeyOf<TitleBlock>, problems: &mut Problems) -> Option<String> {
     fields.take(key).and_then(|node| problems.lines(node)).map(str::to_owned)
+}
+
+fn lot(node: &Node, problems: &mut Problems) -> Option<u32> {
+    let text = problems.text(node)?;
+    match text.parse::<u32>() {
+        Ok(lot) if lot > 0 => Some(lot),
+        _ => problems.error("bad-value", note!("lab-bad-lot", text = text), &node.place),
+    }
+}
+
+/// A time in min, above zero.
+fn minutes(fields: &mut Fields<'_, TitleBlock>, key: KeyOf<TitleBlock>, problems: &mut Problems) -> Option<f64> {
+    let node = fields.take(key)?;
+    let time: Decimal = problems.scalar(node)?;
+    if time.millionths() <= 0 {
+        return problems.error("bad-value", note!("lab-bad-minutes", key = key.name()), &node.place);
+    }
+    Some(time.to_f64())
 }
 
 fn parts(node: &Node, problems: &mut Problems) -> Vec<u8> {

@@ -24,7 +24,8 @@ pub(super) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
 /// The route in the form of the worked example: one line per transition of a group, in the order of work; and the path
 /// of every tool.
 pub(crate) fn work(page: &mut Document, plan: &Plan, lang: Lang) {
-    page.heading(3, say!(lang, "plan-operation"));
+    let (number, name) = (lang.word("plan-operation-number"), lang.word("plan-operation-name"));
+    page.heading(3, say!(lang, "plan-operation", number = number, name = name));
     let rows = rows(plan, lang);
     // Without transitions there is only loading and unloading of the part.
     if rows.len() > 2 {

@@ -16,7 +16,9 @@ plan-corrections = 5. Tool-length offsets
 plan-time = 6. Time
 plan-findings = 7. Findings
 # The route.
-plan-operation = 005 NC machining
+plan-operation = { $number } { $name }
+plan-operation-number = 005
+plan-operation-name = NC machining
 plan-step-head = Transition
 plan-scheme = Scheme
 plan-cutter = Cutter

@@ -56,7 +56,7 @@ lab-power = greatest cutting power, and power of the main drive
 lab-torque = greatest torque
 lab-thrust = greatest axial force
 lab-mass = mass of the blank
-lab-can-be-made = Every surface of the task can be machined on this equipment: the plan has no error.
+lab-can-be-made = Every surface of the task can be machined on this equipment: plan and program have no error.
 lab-cannot-be-made = Not all of the task can be done on this equipment as it stands:
 # The blank and the steps.
 lab-of-hole = { $hole }: { $size }
@@ -187,8 +187,8 @@ card-holder = holder: { $what }
 card-times = Time of the program, min: cutting Tb = { $basic }; auxiliary of the machine (rapids, tool changes, dwells, ways out at feed) { $auxiliary }; hands while it waits { $hand }; together { $total }.
 card-standing = The card follows the forms of GOST 3.1118-82 and 3.1404-86. These Soviet standards are withdrawn in Ukraine; shops and departments keep the forms by custom. The widths of the lines М01 and М02 and of the strips of the operation card are ours: no drawing of them was found.
 card-route-legend = The letters before the numbers: А place and name of the operation, Б machine and norms, О its steps, Т tools. Unit 166 is the kilogram; Kp is the factor of time for one who serves several machines.
-card-operation-legend = The letters before the numbers: О a step with its cutting time Tb over all its holes, Т tools, Р conditions: D diameter, L working travel with approach and overrun, t depth of cut, i passes, S feed, n spindle speed, V cutting speed. Ta in the head is the auxiliary time of the program.
-card-by-hand = The shop fills in what is empty: the plan knows no shop, trade or grade of work, no time for setting the machine up (Tset), none for loading, clamping and measuring the part, and so no time per piece (Tpiece).
+card-operation-legend = The letters before the numbers: О a step with its cutting time Tb over all its holes, Т tools, Р conditions: D diameter, L working travel with approach and overrun, t depth of cut, i passes, S feed, n spindle speed, V cutting speed. Ta in the head is the auxiliary time: of the program and of loading the part, as the norm of time has it.
+card-by-hand = The shop fills in what is empty. The title block gives shop, trade, grade of work and the size of a lot, and times of the shop's own; where the figures of the norm come from stands under the norm of time.
 tool-list-cutters = Cutters as their catalogs have them
 tool-list-name = Name and designation
 tool-list-standard = Standard
@@ -196,3 +196,7 @@ tool-list-shank = Shank
 tool-list-shank-size = Size of shank
 tool-list-holder = Standard of the holder
 tool-list-lengths = L is the whole length, l0 the length that cuts; size of shank: number of the Morse taper, or diameter. A dash: the catalog has no such figure.
+lab-bad-lot = a lot of { $text } parts: a whole number above zero is meant
+lab-bad-minutes = `{ $key }` is a time in minutes above zero
+lab-annex-route = Annex A. Route card
+lab-annex-operation = Annex B. Operation card

@@ -7,8 +7,9 @@ use crate::words::say;
 
 use super::super::super::sheet::route::{WorkStep, told, work_steps};
 use super::super::super::sheet::{exactly, material, material_of, number};
+use super::super::norm::marked;
 use super::{Kind, Lang, Line, Sources, TitleBlock};
-use super::{equipment, line, machine_auxiliary, minutes, names, page, sheets, text, tool_of, values};
+use super::{equipment, line, machine_auxiliary, minutes, names, page, sheets, text, times, tool_of, values};
 
 const KIND: Kind = Kind {
     marks: ["ГОСТ 3.1404-86  форма 3", "ГОСТ 3.1404-86  форма 2а"],
@@ -74,7 +75,7 @@ fn strips(own: &Sources<'_>, lang: Lang) -> Vec<FormRow> {
     let unit = if mass.is_empty() { none() } else { Inlines::from("166") };
     let coolant = own.job.setups.iter().flat_map(|setup| &setup.works).any(|work| work.coolant);
     let first = vec![
-        lang.word("plan-operation").into(),
+        lang.word("plan-operation-name").into(),
         material_of(plan, own.knowledge, lang).into(),
         hardness.into(),
         unit,
@@ -83,13 +84,21 @@ fn strips(own: &Sources<'_>, lang: Lang) -> Vec<FormRow> {
         mass,
         "1".into(),
     ];
+    let [piece, preparatory] = times(own, lang);
+    let doubtful = own.norm.is_some_and(|norm| norm.unconfirmed()[0]);
+    let known = own.norm.and_then(|norm| norm.auxiliary);
+    // Without a time of loading it is that of the machine alone, as the line of the legend says.
+    let auxiliary = match known {
+        Some(_) => marked(known, doubtful, lang),
+        None => minutes(machine_auxiliary(plan), lang),
+    };
     let second = vec![
         own.sheet.equipment.as_str().into(),
         none(),
         minutes(plan.time.machine_min.0, lang),
-        minutes(machine_auxiliary(plan), lang),
-        none(),
-        none(),
+        auxiliary,
+        preparatory,
+        piece,
         lang.word(if coolant { "card-coolant-on" } else { "card-coolant-off" }).into(),
     ];
     vec![names(lang, &FIRST), values(lang, &FIRST, first), names(lang, &SECOND), values(lang, &SECOND, second)]

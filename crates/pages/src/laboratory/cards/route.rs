@@ -3,10 +3,10 @@
 use crate::document::{Document, Inlines};
 use crate::words::say;
 
-use super::super::super::sheet::route::{WorkStep, told, work_steps};
+use super::super::super::sheet::route::{WorkStep, told as told_step, work_steps};
 use super::super::super::sheet::{exactly, material_of};
 use super::{Kind, Lang, Line, Sources, TitleBlock};
-use super::{empty, equipment, line, names, page, sheets, text, value, values};
+use super::{empty, equipment, line, names, page, sheets, text, times, value, values};
 
 const KIND: Kind = Kind {
     marks: ["ГОСТ 3.1118-82  форма 1", "ГОСТ 3.1118-82  форма 1б"],
@@ -58,7 +58,7 @@ pub(in super::super) fn card(own: &Sources<'_>, title: &TitleBlock, lang: Lang) 
         row.cells.insert(0, super::name(5, letter));
         row
     });
-    let forms = sheets(&KIND, [material(own, lang), heads.to_vec()], body(own, lang), own, title, lang);
+    let forms = sheets(&KIND, [material(own, lang), heads.to_vec()], body(own, title, lang), own, title, lang);
     page("card-route-title", forms, own, &["card-standing", "card-route-legend", "card-by-hand"], lang)
 }
 
@@ -87,22 +87,35 @@ fn material(own: &Sources<'_>, lang: Lang) -> Vec<crate::document::FormRow> {
     vec![crate::document::FormRow { lines: 2, cells: first }, names(lang, &MATERIAL), values(lang, &MATERIAL, held)]
 }
 
-fn body(own: &Sources<'_>, lang: Lang) -> Vec<Line> {
+fn body(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Vec<Line> {
     let plan = own.plan;
     let none = Inlines::default;
     let mut lines = Vec::new();
-    let operation = lang.word("plan-operation");
-    let (number, name) = operation.split_once(' ').unwrap_or(("005", operation));
-    lines.push(line("А", lang, &A, vec![none(), none(), none(), number.into(), name.into(), none()]));
-    let mut held = vec![Inlines::from(own.sheet.equipment.as_str())];
-    held.resize(B.len(), none());
-    // One part at once, times for one.
-    (held[6], held[7]) = ("1".into(), "1".into());
+    let (number, name) = (lang.word("plan-operation-number"), lang.word("plan-operation-name"));
+    let told = |text: &Option<String>| Inlines::from(text.clone().unwrap_or_default());
+    lines.push(line("А", lang, &A, vec![told(&title.shop), none(), none(), number.into(), name.into(), none()]));
+    let [piece, preparatory] = times(own, lang);
+    let lot = title.lot.map(|lot| Inlines::number(lot.to_string())).unwrap_or_default();
+    let held = vec![
+        Inlines::from(own.sheet.equipment.as_str()),
+        none(),
+        told(&title.profession),
+        told(&title.grade),
+        none(),
+        none(),
+        // One part at once, times for one.
+        "1".into(),
+        "1".into(),
+        lot,
+        none(),
+        preparatory,
+        piece,
+    ];
     lines.push(line("Б", lang, &B, held));
     let steps = work_steps(plan);
     let here = steps.iter().filter(|step| !matches!(step, WorkStep::Elsewhere { .. }));
     for (at, step) in (1..).zip(here) {
-        lines.extend(text("О", &format!("{at}. {}", told(plan, step, lang)), &[]));
+        lines.extend(text("О", &format!("{at}. {}", told_step(plan, step, lang)), &[]));
     }
     let times = say!(
         lang,
@@ -120,7 +133,7 @@ fn body(own: &Sources<'_>, lang: Lang) -> Vec<Line> {
     let elsewhere: Vec<String> = steps
         .iter()
         .filter(|step| matches!(step, WorkStep::Elsewhere { .. }))
-        .map(|step| told(plan, step, lang))
+        .map(|step| told_step(plan, step, lang))
         .collect();
     if !elsewhere.is_empty() {
         lines.push(empty());
