@@ -173,7 +173,8 @@ fn task(page: &mut Document, plan: &Plan, title: &TitleBlock, lang: Lang) {
         Column::text(say!(lang, "lab-places")).min_width(24),
     ]);
     for hole in &plan.part.holes {
-        let points = hole.at.iter().map(|at| say!(lang, "plan-point", x = at.x, y = at.y));
+        // Of a slot both middles of its end radii.
+        let points = hole.ends().map(|at| say!(lang, "plan-point", x = at.x, y = at.y));
         table.row([
             Inlines::from(hole.name.as_str()),
             Inlines::number(hole.at.len().to_string()),
@@ -189,6 +190,9 @@ fn task(page: &mut Document, plan: &Plan, title: &TitleBlock, lang: Lang) {
 }
 
 fn size(hole: &Hole, lang: Lang) -> String {
+    if let Some(slot) = route::slot_size(hole, lang) {
+        return slot;
+    }
     match &hole.thread {
         Some(thread) => thread.written.clone(),
         None => lang.figure(&crate::note::IntoFigure::into_figure(&hole.diameter)),

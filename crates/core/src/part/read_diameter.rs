@@ -79,7 +79,7 @@ impl Reader<'_> {
         }
     }
 
-    fn diameter(&mut self, node: &Node) -> Option<ToleratedDiameter> {
+    pub(super) fn diameter(&mut self, node: &Node) -> Option<ToleratedDiameter> {
         let diameter = if matches!(node.kind, NodeKind::Map(_)) {
             let mut fields = self.problems.map(node)?;
             let nominal = self.need_size(&mut fields, Limits::nominal);

@@ -18,6 +18,7 @@ mod magazine;
 mod names;
 mod nearest;
 mod options;
+mod slots;
 mod sources;
 mod step_drill;
 mod whole;

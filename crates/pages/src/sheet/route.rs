@@ -139,6 +139,20 @@ pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
     }
 }
 
+/// A slot and the width that a transition leaves of it: `паз 12H12 × 52 (S) до ширини 11.09`; none for a round hole.
+pub(crate) fn slot_of(hole: &Hole, transition: &Transition, lang: Lang) -> Option<String> {
+    let size = slot_size(hole, lang)?;
+    let (name, width) = (hole.name.as_str(), transition.diameter_mm);
+    Some(say!(lang, "plan-slot-to", size = size.as_str(), hole = name, width = width))
+}
+
+/// The width of a slot with its tolerance, and its length over all; none for a round hole.
+pub(crate) fn slot_size(hole: &Hole, lang: Lang) -> Option<String> {
+    let length = hole.slot?.length() + hole.diameter.nominal;
+    let width = lang.figure(&(&hole.diameter).into_figure());
+    Some(say!(lang, "plan-slot-size", width = width.trim_start_matches('Ø'), length = length))
+}
+
 /// Whether a transition reaches that size, so that its own diameter need not be printed.
 pub(crate) fn finishes(hole: &Hole, transition: &Transition) -> bool {
     let own = cylinder(hole, transition).is_some_and(|own| own.nominal == transition.diameter_mm);
@@ -173,6 +187,10 @@ fn step(plan: &Plan, hole: &HolePlan, transition: &Transition, lang: Lang) -> Ve
 /// The content of a transition, as on a route card.
 fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lang) -> String {
     let Some(hole) = hole(plan, &hole_plan.name) else { return String::new() };
+    if let Some(slot) = slot_of(hole, transition, lang) {
+        let verb = operation_verb(transition.operation.name(), lang);
+        return say!(lang, "plan-step-slot", verb = verb, slot = slot.as_str());
+    }
     let key = match transition.operation {
         Operation::CentreDrill => "plan-step-spot",
         // A mill that widens nothing levels the floor.

@@ -40,6 +40,9 @@ plan-step-floor = { $verb } the floor of { $count } { $count ->
     [one] hole
    *[other] holes
 } { $size } ({ $hole }), Ø{ $diameter }
+plan-step-slot = { $verb } { $slot }
+plan-slot-to = slot { $size } ({ $hole }) to a width of { $width }
+plan-slot-size = { $width } × { $length }
 plan-step-within = permitted Ø{ $smallest } to Ø{ $largest }
 plan-step-also = together with Ø{ $diameter }
 plan-step-passes = { $count } { $count ->
