@@ -362,7 +362,7 @@ fn conclusions(page: &mut Document, own: &Sources<'_>, title: &TitleBlock, lang:
         page.paragraph(say!(lang, "lab-slowest", hole = hole.name.as_str(), time = exactly(time, 2)));
     }
     let (listed, _) = Doubts::Counted.split(plan.findings.iter());
-    listed.into_iter().for_each(|finding| sheet::finding(page, finding, lang));
+    listed.into_iter().for_each(|finding| sheet::finding(page, plan, finding, lang));
     let count = unconfirmed(plan.findings.iter()).len();
     if count > 0 {
         page.paragraph(say!(lang, "lab-unconfirmed", count = count));

@@ -316,6 +316,11 @@ pub struct Rounds {
 }
 
 impl Rounds {
+    /// Whether they are the ways of a mill in a slot.
+    pub const fn of_slot(&self) -> bool {
+        self.along_middle || self.arc_feed_mm_per_min.is_some()
+    }
+
     /// The diameter after a pass, counted from 1, of a hole or slot that is `diameter` wide after the last one.
     pub fn after(&self, pass: u32, diameter: Micrometres) -> Micrometres {
         if self.along_middle {

@@ -230,7 +230,9 @@ impl<'p> HoleSection<'p> {
             let text = if before {
                 say!(lang, "cycles-before", diameter = diameter)
             } else {
-                format!("Ø{}", mm(diameter, lang))
+                // Of a slot it is the width.
+                let sign = if t.conditions.rounds.is_some_and(|own| own.of_slot()) { "" } else { "Ø" };
+                format!("{sign}{}", mm(diameter, lang))
             };
             let (a, b) = ((self.axis - half, y), (self.axis + half, y));
             canvas.line(&[a, b], pen);

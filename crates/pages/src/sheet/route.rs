@@ -139,13 +139,6 @@ pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
     }
 }
 
-/// A slot and the width that a transition leaves of it: `паз 12H12 × 52 (S) до ширини 11.09`; none for a round hole.
-pub(crate) fn slot_of(hole: &Hole, transition: &Transition, lang: Lang) -> Option<String> {
-    let size = slot_size(hole, lang)?;
-    let (name, width) = (hole.name.as_str(), transition.diameter_mm);
-    Some(say!(lang, "plan-slot-to", size = size.as_str(), hole = name, width = width))
-}
-
 /// The width of a slot with its tolerance, and its length over all; none for a round hole.
 pub(crate) fn slot_size(hole: &Hole, lang: Lang) -> Option<String> {
     let length = hole.slot?.length() + hole.diameter.nominal;
@@ -187,9 +180,10 @@ fn step(plan: &Plan, hole: &HolePlan, transition: &Transition, lang: Lang) -> Ve
 /// The content of a transition, as on a route card.
 fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lang) -> String {
     let Some(hole) = hole(plan, &hole_plan.name) else { return String::new() };
-    if let Some(slot) = slot_of(hole, transition, lang) {
+    if let Some(size) = slot_size(hole, lang) {
         let verb = operation_verb(transition.operation.name(), lang);
-        return say!(lang, "plan-step-slot", verb = verb, slot = slot.as_str());
+        let (name, size, width) = (hole.name.as_str(), size.as_str(), transition.diameter_mm);
+        return say!(lang, "plan-step-slot", verb = verb, size = size, hole = name, width = width);
     }
     let key = match transition.operation {
         Operation::CentreDrill => "plan-step-spot",

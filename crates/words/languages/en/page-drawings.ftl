@@ -28,6 +28,7 @@ cycles-speed = S { $speed } rpm
 cycles-feed = F { $feed } mm/min
 cycles-plunge = F { $feed } mm/min down
 cycles-arcs = F { $feed } mm/min on the arcs
+cycles-slot = slot { $size } ({ $hole }) to a width of { $width }
 cycles-slot-ways = { $count ->
         [0] along the middle of the slot
         [1] the mill's centre { $radii } mm from the middle line

@@ -40,8 +40,7 @@ plan-step-floor = { $verb } the floor of { $count } { $count ->
     [one] hole
    *[other] holes
 } { $size } ({ $hole }), Ø{ $diameter }
-plan-step-slot = { $verb } { $slot }
-plan-slot-to = slot { $size } ({ $hole }) to a width of { $width }
+plan-step-slot = { $verb } slot { $size } ({ $hole }) to a width of { $width }
 plan-slot-size = { $width } × { $length }
 plan-step-within = permitted Ø{ $smallest } to Ø{ $largest }
 plan-step-also = together with Ø{ $diameter }
@@ -163,6 +162,7 @@ plan-impossible = impossible
 plan-wrong = wrong
 plan-doubtful = doubtful
 plan-note = note
+plan-of-slot = slot { $slot }: { $finding }
 plan-of-hole = hole { $hole }: { $finding }
 # Why a hole is made as it is.
 explain-title = Hole { $hole } { $size }

@@ -22,6 +22,7 @@ cycles-speed = S { $speed } об/хв
 cycles-feed = F { $feed } мм/хв
 cycles-plunge = F { $feed } мм/хв униз
 cycles-arcs = F { $feed } мм/хв на дугах
+cycles-slot = паза { $size } ({ $hole }) до ширини { $width }
 cycles-slot-ways = { $count ->
         [0] уздовж середини паза
         [1] центр фрези на { $radii } мм від середньої лінії

@@ -3,7 +3,7 @@
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::part::Slot;
 use crate::plan::Feature;
-use crate::reason::{Reason, Unfit};
+use crate::reason::{CutterFault, Reason, Unfit};
 use crate::route::RouteStep;
 use crate::shop::{Shop, widest_over_hole};
 use crate::tables::holes::HoleDefault;
@@ -80,7 +80,15 @@ impl<'k> Fitting<'_, 'k> {
         let clearance = if leaves { Micrometres::ZERO } else { self.floor_clearance };
         let plunges = Some(Plunging { widest: Micrometres::ZERO, without_middle: Micrometres::ZERO });
         let enters = step.entered.unwrap_or(step.diameter);
-        tooling::find_tool(&CutterNeed { enters, clearance, plunges, ..*need }, shop)
+        let found = tooling::find_tool(&CutterNeed { enters, clearance, plunges, ..*need }, shop)?;
+        // Of end mills nobody expects it: what keeps a slot mill out is the reason.
+        let no_teeth = |why: &Unfit| {
+            matches!(why, Unfit::Cutter { fault: CutterFault::NoTeethInMiddle { .. }, .. })
+        };
+        Ok(found.map_err(|mut reasons| {
+            reasons.sort_by_key(no_teeth);
+            reasons
+        }))
     }
 
     /// How wide a mill may be that cuts its way down over a hole: so that its circles are not so small that its centre hardly

@@ -13,8 +13,9 @@ use crate::motion::Sense;
 use crate::note::Severity;
 use crate::units::Micrometres;
 
-/// How far apart the points are that are looked at, mm.
+/// How far apart the points are that are looked at, mm; in a slot longer than this many steps, further.
 const STEP: f64 = 0.5;
+const STEPS: f64 = 2000.0;
 /// Points in a quarter of an arc.
 const QUARTER: i32 = 16;
 
@@ -46,6 +47,7 @@ impl Outline {
     fn points(&self, inside: f64) -> Vec<[f64; 2]> {
         let edge = self.half - inside;
         let mut points = Vec::new();
+        let step = (self.length / STEPS).max(STEP);
         let mut along = 0.0;
         while along <= self.length {
             points.extend([edge, -edge].map(|aside| self.at(along, aside)));
@@ -54,7 +56,7 @@ impl Outline {
                 points.push(self.at(along, aside));
                 aside += STEP;
             }
-            along += STEP;
+            along += step;
         }
         for (end, turn) in [(0.0, -1.0), (self.length, 1.0)] {
             for step in -QUARTER..=QUARTER {
