@@ -39,8 +39,8 @@ pub struct Feeding<'a> {
 }
 
 impl<'a> Feeding<'a> {
-    /// The stroke of a transition of a plan.
-    pub fn of(transition: &'a Transition, pitch: Option<Micrometres>, slot: Option<Slot>) -> Self {
+    /// The stroke of a transition of a plan into a round hole.
+    pub fn of(transition: &'a Transition, pitch: Option<Micrometres>) -> Self {
         Self {
             operation: transition.operation,
             diameter: transition.diameter_mm,
@@ -50,7 +50,7 @@ impl<'a> Feeding<'a> {
             end: transition.end(),
             approach: transition.approach_mm,
             pitch,
-            slot,
+            slot: None,
             conditions: &transition.conditions,
         }
     }
@@ -163,12 +163,7 @@ fn circles(
 }
 
 /// Z of the levels of a mill: equal parts of the depth, the overrun added to the last.
-fn levels(
-    transition: &Feeding<'_>,
-    rounds: Rounds,
-    top: Micrometres,
-    resolution: Micrometres,
-) -> Vec<Micrometres> {
+fn levels(transition: &Feeding<'_>, rounds: Rounds, top: Micrometres, resolution: Micrometres) -> Vec<Micrometres> {
     let levels = i64::from(rounds.levels.max(1));
     let depth = transition.depth - transition.start;
     let level = |number: i64| match number == levels {
@@ -187,7 +182,8 @@ fn slot(
 ) -> Result<CycleKind, KnowledgeError> {
     let resolution = shop.machine.resolution;
     let along = feed(transition, shop)?;
-    let programmed = |own: Option<MillimetresPerMinute>| own.map(|own| programmed_feed(own, shop.knowledge)).transpose();
+    let programmed =
+        |own: Option<MillimetresPerMinute>| own.map(|own| programmed_feed(own, shop.knowledge)).transpose();
     let radius = |pass: u32| (rounds.after(pass, transition.diameter) - rounds.mill_diameter_mm).half();
     let first = 1 + u32::from(rounds.along_middle);
     Ok(CycleKind::Slot(SlotCycle {

@@ -43,7 +43,7 @@ pub use cycle::{Feeding, cycle};
 pub use envelope::{Body, BodyKind, Envelope};
 pub use make::make;
 pub use shop::convention;
-pub use slot_path::{SlotMove, SlotMotion};
+pub use slot_path::{SlotMotion, SlotMove};
 use time::timed;
 pub use time::{Duration, Hands};
 pub use unfinished::{Left, Unfinished};

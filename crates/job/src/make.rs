@@ -174,7 +174,8 @@ fn rounds(
                     let hole = plan.part.holes.iter().find(|hole| hole.name == stop.hole);
                     let pitch = hole.and_then(|hole| hole.thread_at(transition.step)).map(|thread| thread.pitch);
                     let slot = hole.and_then(|hole| hole.slot);
-                    let made = cycle(&Feeding::of(transition, pitch, slot), plan.part.datum.top, shop)?;
+                    let feeding = Feeding { slot, ..Feeding::of(transition, pitch) };
+                    let made = cycle(&feeding, plan.part.datum.top, shop)?;
                     let cooled = match transition.conditions.coolant {
                         Some(needed) => needed,
                         None => {

@@ -57,14 +57,10 @@ impl Cycle {
             for radius in slot.radii.iter().map(|radius| radius.to_mm()) {
                 // Both sides from one rounded step: an arc then ends as far from its centre as it begins.
                 let [x, y] = right.map(|share| grid(radius * share));
-                let near = |end: usize| SlotMove {
-                    to: [middle(end)[0] + x, middle(end)[1] + y],
-                    motion: SlotMotion::Across,
-                };
-                let far = |end: usize| SlotMove {
-                    to: [middle(end)[0] - x, middle(end)[1] - y],
-                    motion: SlotMotion::Across,
-                };
+                let near =
+                    |end: usize| SlotMove { to: [middle(end)[0] + x, middle(end)[1] + y], motion: SlotMotion::Across };
+                let far =
+                    |end: usize| SlotMove { to: [middle(end)[0] - x, middle(end)[1] - y], motion: SlotMotion::Across };
                 let half = |made: SlotMove, end| SlotMove { motion: SlotMotion::Half(middle(end)), ..made };
                 moves.extend([near(at), near(other), half(far(other), other), far(at), half(near(at), at)]);
             }

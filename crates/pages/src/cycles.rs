@@ -89,7 +89,8 @@ fn rows(work: &ToolWork) -> Vec<Vec<usize>> {
 }
 
 fn row_height(work: &ToolWork, row: &[usize]) -> f64 {
-    let round = row.iter().any(|&cycle| matches!(work.cycles[cycle].kind, CycleKind::Circles { .. } | CycleKind::Slot(_)));
+    let round =
+        row.iter().any(|&cycle| matches!(work.cycles[cycle].kind, CycleKind::Circles { .. } | CycleKind::Slot(_)));
     HEAD + BODY + if round { ABOVE } else { 0.0 }
 }
 

@@ -39,7 +39,9 @@ pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
     });
     let mut xs: Vec<f64> = Vec::new();
     let mut ys: Vec<f64> = Vec::new();
-    for point in panels.iter().flat_map(|panel| &panel.path).chain(holes.iter().flat_map(|(way, _)| [&way.from, &way.to])) {
+    for point in
+        panels.iter().flat_map(|panel| &panel.path).chain(holes.iter().flat_map(|(way, _)| [&way.from, &way.to]))
+    {
         xs.push(mm(point.x));
         ys.push(mm(point.y));
     }

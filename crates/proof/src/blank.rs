@@ -113,7 +113,11 @@ fn walls<'p>(part: &'p Part, shop: &Shop<'_>) -> Result<Vec<(&'p String, Fault)>
             for (own, theirs) in spans[a].iter().flat_map(|own| spans[b].iter().map(move |theirs| (own, theirs))) {
                 let height = own.to.min(theirs.to) - own.from.max(theirs.from);
                 if let Some(apart) = apart.filter(|_| height > Micrometres::ZERO) {
-                    note((b.min(a), Some(b.max(a))), apart - (own.diameter + theirs.diameter).half(), of_height(height));
+                    note(
+                        (b.min(a), Some(b.max(a))),
+                        apart - (own.diameter + theirs.diameter).half(),
+                        of_height(height),
+                    );
                 }
             }
         }

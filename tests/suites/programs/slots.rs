@@ -103,7 +103,8 @@ fn a_spoilt_program_of_a_slot_is_found_out() {
     ] {
         assert!(right.contains(from), "{from}: {right}");
         fs::write(folder.join("p.nc"), right.replacen(from, to, 1)).unwrap();
-        let found = technolog(&folder, &["check", "p.nc", "--control", "2c42-65", "--part", "part.yaml", "--lang", "en"]);
+        let found =
+            technolog(&folder, &["check", "p.nc", "--control", "2c42-65", "--part", "part.yaml", "--lang", "en"]);
         let said = text(&found.stdout) + &text(&found.stderr);
         assert!(found.status.code() == Some(1) && said.contains(code), "{to}: {said}");
     }

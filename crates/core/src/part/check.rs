@@ -122,7 +122,8 @@ fn slots_apart(groups: &[Group], problems: &mut Problems) {
         // Holes stand before slots, whatever their order in the file.
         let met = groups[..index].iter().find_map(|other| {
             let needed = group.needs(other)?;
-            let near = |(way, place)| other.ways().map(move |(theirs, _)| (theirs.apart(way), place)).min_by_key(|one| one.0);
+            let near =
+                |(way, place)| other.ways().map(move |(theirs, _)| (theirs.apart(way), place)).min_by_key(|one| one.0);
             let (distance, place) = group.ways().filter_map(near).min_by_key(|one| one.0)?;
             (distance < needed).then_some((other, place, distance, needed))
         });

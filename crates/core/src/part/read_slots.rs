@@ -10,7 +10,7 @@ use super::file::slot as form;
 use super::limits::LimitedCount;
 use super::read::Reader;
 use super::read_pattern::Turn;
-use super::{BlankHole, Blank, Bottom, Hole, Point, Slot};
+use super::{Blank, BlankHole, Bottom, Hole, Point, Slot};
 
 /// How the file says where a slot runs.
 enum Run {
@@ -72,7 +72,8 @@ impl Reader<'_> {
             (Some(run), Some(width)) => match run.placed(width.nominal) {
                 Some((at, slot)) => (Some(at), Some(slot)),
                 None => {
-                    let message = note!("part-slot-is-a-hole", name = name.as_deref().unwrap_or("?"), width = width.nominal);
+                    let message =
+                        note!("part-slot-is-a-hole", name = name.as_deref().unwrap_or("?"), width = width.nominal);
                     return self.problems.error_help("bad-value", message, place, note!("part-slot-length-over-all"));
                 }
             },

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::units::Micrometres;
 
-use super::{Hole, Point};
+use super::{Hole, Point, standing};
 
 /// How a slot runs: from the middle of its first end radius, which is its point, to that of the other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -45,12 +45,7 @@ pub struct Way {
 impl Way {
     /// The distance of a point, mm.
     pub fn distance(self, at: Point) -> Micrometres {
-        let [ax, ay, bx, by, px, py] =
-            [self.from.x, self.from.y, self.to.x, self.to.y, at.x, at.y].map(Micrometres::to_mm);
-        let (dx, dy) = (bx - ax, by - ay);
-        let square = dx * dx + dy * dy;
-        let share = if square > 0.0 { (((px - ax) * dx + (py - ay) * dy) / square).clamp(0.0, 1.0) } else { 0.0 };
-        Micrometres::from_mm_rounded(libm::hypot(px - ax - share * dx, py - ay - share * dy))
+        Micrometres::from_mm_rounded(standing::distance(self.from, self.to, at))
     }
 
     /// The distance of another one, mm; nothing where they cross.

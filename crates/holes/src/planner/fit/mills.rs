@@ -82,9 +82,7 @@ impl<'k> Fitting<'_, 'k> {
         let enters = step.entered.unwrap_or(step.diameter);
         let found = tooling::find_tool(&CutterNeed { enters, clearance, plunges, ..*need }, shop)?;
         // Of end mills nobody expects it: what keeps a slot mill out is the reason.
-        let no_teeth = |why: &Unfit| {
-            matches!(why, Unfit::Cutter { fault: CutterFault::NoTeethInMiddle { .. }, .. })
-        };
+        let no_teeth = |why: &Unfit| matches!(why, Unfit::Cutter { fault: CutterFault::NoTeethInMiddle { .. }, .. });
         Ok(found.map_err(|mut reasons| {
             reasons.sort_by_key(no_teeth);
             reasons

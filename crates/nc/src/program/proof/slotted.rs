@@ -73,12 +73,7 @@ impl Outline {
 }
 
 /// Checks the motions of a cut in a slot that a mill of this diameter makes.
-pub(super) fn slot(
-    say: &CutAtStop<'_, '_>,
-    slot: &SlotCycle,
-    mill: Micrometres,
-    findings: &mut Vec<ProgramFinding>,
-) {
+pub(super) fn slot(say: &CutAtStop<'_, '_>, slot: &SlotCycle, mill: Micrometres, findings: &mut Vec<ProgramFinding>) {
     let Some(outline) = outline(say, slot) else { return };
     let radius = mill.to_mm() / 2.0;
     let slack = TOLERANCE.to_mm() * 1.5;
