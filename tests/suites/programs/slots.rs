@@ -11,12 +11,12 @@ const SLOTS: &str = "part: P
 material: steel-45
 blank: {kind: plate, length: 240, width: 120, thickness: 16}
 machine: gf2171
-fixture: {height: 60, clamps: [{at: [-105, 0], height: 30}, {at: [105, 0], height: 30}]}
+fixture: {height: 60}
 slots:
   - {name: S, centre: [0, 0], length: 70, angle: 27, width: 20H12, depth: 8, roughness: Ra 3.2, centre_tolerance: 0.4}
   - {name: T, centre: [60, -30], length: 40, angle: 90, width: 6H12, depth: 4, roughness: Ra 12.5, centre_tolerance: 0.4}
   - {name: U, centre: [-60, 30], length: 60, width: 25H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.4}
-  - {name: V, centre: [40, 35], length: 50, width: 48H12, depth: 5, roughness: Ra 12.5, centre_tolerance: 0.4}
+  - {name: V, centre: [72, 32], length: 46, width: 40H12, depth: 5, roughness: Ra 12.5, centre_tolerance: 0.4}
 ";
 
 /// One slot 14 mm wide, 40 mm between the middles of its end radii, 8 mm deep.
@@ -116,7 +116,7 @@ fn a_slot_that_cannot_be_made_is_a_finding() {
     let folder = folder("refused");
     for (width, words) in [
         // Finer than a mill reaches; narrower than the mills; deeper than one reaches.
-        ("12H8", "IT8"),
+        ("12H8", "does not reach grade 8"),
         ("3H12", "mill"),
         ("5H12", "reach"),
     ] {
