@@ -1,7 +1,7 @@
 //! What a plan asks of its machine, each beside what the machine has.
 
 use crate::machine::Machine;
-use crate::part::Point;
+use crate::part::{Hole, Point};
 use crate::plan::{Conditions, Plan, ToolPlan};
 use crate::units::{Kilowatts, Micrometres, NewtonMetres, Newtons};
 
@@ -56,7 +56,7 @@ pub fn demands(plan: &Plan, machine: &Machine<'_>) -> Vec<Demand> {
     let most =
         |of: &dyn Fn(&Conditions) -> Option<f64>| here().filter_map(|own| of(&own.conditions)).fold(0.0, f64::max);
     let span = |of: &dyn Fn(&Point) -> Micrometres| {
-        let all = || plan.part.holes.iter().flat_map(|hole| &hole.at).map(of);
+        let all = || plan.part.holes.iter().flat_map(Hole::ends).map(|at| of(&at));
         all().max().zip(all().min()).map_or(Micrometres::ZERO, |(most, least)| most - least)
     };
     let longest = |of: &dyn Fn(&ToolPlan) -> Micrometres| plan.tools.iter().map(of).max().unwrap_or(Micrometres::ZERO);

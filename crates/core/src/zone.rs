@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::motion::Axis;
 use crate::note::{Note, Severity};
-use crate::part::Part;
+use crate::part::{Hole, Part};
 use crate::shop::Shop;
 use crate::tables::materials::Density;
 use crate::tables::rules::{Approach, ApproachFor};
@@ -43,7 +43,7 @@ pub fn lowest_nose(strokes: &[Stroke], least: Option<Micrometres>) -> Option<Mic
 
 /// The axes of the table, each with the least and the greatest coordinate of the holes; none without holes.
 pub fn spans(part: &Part) -> impl Iterator<Item = (Axis, Micrometres, Micrometres)> {
-    let points = || part.holes.iter().flat_map(|hole| &hole.at);
+    let points = || part.holes.iter().flat_map(Hole::ends);
     let x = points().map(|point| point.x).min().zip(points().map(|point| point.x).max());
     let y = points().map(|point| point.y).min().zip(points().map(|point| point.y).max());
     [(Axis::X, x), (Axis::Y, y)].into_iter().filter_map(|(axis, span)| span.map(|(low, high)| (axis, low, high)))

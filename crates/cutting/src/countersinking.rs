@@ -55,6 +55,8 @@ fn going_round(
         levels: 1,
         finish_mm: None,
         plunge_feed_mm_per_min: None,
+        arc_feed_mm_per_min: None,
+        along_middle: false,
     });
     Ok(draft)
 }

@@ -19,6 +19,7 @@ mod milling_force;
 pub mod practice;
 pub mod reaming;
 mod settle;
+mod slotting;
 pub mod state;
 pub mod tapping;
 
@@ -89,6 +90,8 @@ pub struct Cut {
     pub around: Option<Micrometres>,
     /// Whether the mill cuts on its way down.
     pub plunges: bool,
+    /// How long a slot is, from the middle of one end radius to that of the other; absent for what is round.
+    pub slot: Option<Micrometres>,
 }
 
 /// The figures of a mill for its conditions.
@@ -127,13 +130,14 @@ struct DraftConditions {
     doubts: Vec<CardDoubt>,
     card: Option<crate::plan::CardPoint>,
     rounds: Option<crate::plan::Rounds>,
-    plunge: Option<Plunge>,
+    plunge: Option<AnotherFeed>,
+    arcs: Option<AnotherFeed>,
 }
 
-/// The way down of a mill that cuts there.
+/// The way down of a mill that cuts there, or its way along the arcs of a slot.
 #[derive(Clone, Copy, Debug)]
-struct Plunge {
-    /// Its feed over that of the circles.
+struct AnotherFeed {
+    /// Its feed over that of the rest.
     share: f64,
     /// Its length, mm.
     travel: f64,
@@ -233,12 +237,15 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
             cooled
         }
     };
-    let plunge_feed = match draft.plunge {
-        // In the steps of programs, so that plan and program take as long.
-        Some(Plunge { share, .. }) => Some(programmed_feed(MillimetresPerMinute(feed_rate.0 * share), shop.knowledge)?),
-        None => None,
+    // In the steps of programs, so that plan and program take as long.
+    let another = |own: Option<AnotherFeed>| {
+        own.map(|own| programmed_feed(MillimetresPerMinute(feed_rate.0 * own.share), shop.knowledge)).transpose()
     };
-    let down = draft.plunge.zip(plunge_feed).map_or(0.0, |(plunge, feed)| plunge.travel / feed.0);
+    let (plunge_feed, arc_feed) = (another(draft.plunge)?, another(draft.arcs)?);
+    let takes = |own: Option<AnotherFeed>, feed: Option<MillimetresPerMinute>| {
+        own.zip(feed).map_or(0.0, |(own, feed)| own.travel / feed.0)
+    };
+    let at_other_feeds = takes(draft.plunge, plunge_feed) + takes(draft.arcs, arc_feed);
     let mut found = Conditions {
         depth_of_cut_mm: crate::units::round_to(draft.motion.depth_of_cut, 3),
         feed_mm_per_rev: limited.feed.rounded(3),
@@ -249,7 +256,7 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         axial_force_n: draft.loads.thrust.map(|law| Newtons(law.at(limited.feed, speed)).rounded(0)),
         torque_n_m: torque,
         power_kw: power.map(|power| power.rounded(4)),
-        machine_time_min: Minutes(draft.motion.path / feed_rate.0 + down).rounded(3),
+        machine_time_min: Minutes(draft.motion.path / feed_rate.0 + at_other_feeds).rounded(3),
         limited_by: match limited.limited_by {
             Limit::CuttingSpeed if practice != PracticeComparison::FormulaKept => Limit::PracticeSpeed,
             limit => limit,
@@ -257,7 +264,11 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
         tool_life_min: tool_life.rounded(0),
         coolant: Some(coolant),
         computed_speed_m_per_min: lives_at.rounded(2),
-        rounds: draft.rounds.map(|rounds| crate::plan::Rounds { plunge_feed_mm_per_min: plunge_feed, ..rounds }),
+        rounds: draft.rounds.map(|rounds| crate::plan::Rounds {
+            plunge_feed_mm_per_min: plunge_feed,
+            arc_feed_mm_per_min: arc_feed,
+            ..rounds
+        }),
         card: draft.card,
         because,
     };

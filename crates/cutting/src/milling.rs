@@ -15,7 +15,7 @@ use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, MillimetresP
 
 use super::figures::{self, missing};
 use super::milling_force::{self, MilledPass};
-use super::{Cut, CutMotion, CutterShape, DraftConditions, Loads, Plunge, factors};
+use super::{AnotherFeed, Cut, CutMotion, CutterShape, DraftConditions, Loads, factors, slotting};
 
 /// The kind of mill in the milling tables: a solid end mill.
 const MILL: Mill = Mill::End;
@@ -35,10 +35,14 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
         mill.teeth > 0 && mill.diameter > Micrometres::ZERO && mill.cutting_length > Micrometres::ZERO
     };
     let mill = cut.cutter.filter(whole).ok_or(Refusal::Not(Uncut::NoCutterShape))?;
-    if mill.diameter >= cut.from {
+    // In a slot it makes its way itself.
+    if cut.slot.is_none() && mill.diameter >= cut.from {
         return Err(Refusal::Not(Uncut::MillDoesNotEnter { diameter: mill.diameter, hole: cut.from }));
     }
-    let (rounds, mut because) = rounds(cut, mill, shop)?;
+    let (rounds, mut because) = match cut.slot {
+        Some(length) => slotting::rounds(cut, mill, length, shop)?,
+        None => rounds(cut, mill, shop)?,
+    };
     let (tabulated, reasons) = feed_per_tooth(cut, mill, shop)?;
     because.extend(reasons);
     // Centre feed per revolution over feed per tooth at the wall.
@@ -92,22 +96,24 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
         card: None,
         rounds: Some(rounds.planned),
         plunge: rounds.plunge,
+        arcs: rounds.arcs,
     })
 }
 
-/// The circles of one hole.
-struct Rounds {
+/// The circles of one hole, or the ways of a mill in one slot.
+pub(super) struct Rounds {
     /// t, radial depth of one pass, mm.
-    radial_depth: f64,
+    pub radial_depth: f64,
     /// B, axial depth of one level, mm.
-    axial_depth: f64,
-    /// Radius of the centre's first circle over that of the wall.
-    centre_share: f64,
+    pub axial_depth: f64,
+    /// Radius of the centre's first circle over that of the wall; 1 along a slot.
+    pub centre_share: f64,
     /// Length of all moves at the working feed, mm.
-    path: f64,
+    pub path: f64,
     /// The same, as in the plan.
-    planned: plan::Rounds,
-    plunge: Option<Plunge>,
+    pub planned: plan::Rounds,
+    pub plunge: Option<AnotherFeed>,
+    pub arcs: Option<AnotherFeed>,
 }
 
 /// Divides the stock into radial passes and axial levels (table `milling-depth`), and measures the path.
@@ -149,7 +155,7 @@ fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Vec<
     if cut.plunges {
         let material_group = shop.material.group;
         let row = shop.knowledge.ask(&PlungeFeedFor { material_group })?.need(material_group)?;
-        plunge = Some(Plunge { share: row.share / centre_share, travel: cut.travel.to_mm() });
+        plunge = Some(AnotherFeed { share: row.share / centre_share, travel: cut.travel.to_mm() });
         because.push(Because::row(row.row, Note::new("plunge-feed").with("percent", round_to(row.share * 100.0, 0))));
     }
     let across = f64::from(levels) * circles * (std::f64::consts::PI + 1.0);
@@ -173,12 +179,14 @@ fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Vec<
         levels,
         finish_mm: (last > 0.0).then(|| Micrometres::from_mm_rounded(last)),
         plunge_feed_mm_per_min: None,
+        arc_feed_mm_per_min: None,
+        along_middle: false,
     };
-    Ok((Rounds { radial_depth, axial_depth, centre_share, path, planned, plunge }, because))
+    Ok((Rounds { radial_depth, axial_depth, centre_share, path, planned, plunge, arcs: None }, because))
 }
 
 /// The number of equal parts, at least one, of a length, so that none is longer than `longest`.
-fn parts(length: f64, longest: f64) -> u32 {
+pub(super) fn parts(length: f64, longest: f64) -> u32 {
     // A micrometre of slack, so that 10 mm in steps of 5 are two parts whatever the last bit.
     libm::ceil((length - 0.001) / longest).max(1.0) as u32
 }

@@ -96,6 +96,9 @@ fn turned(part: &Part) -> Part {
     for at in turned.holes.iter_mut().flat_map(|hole| &mut hole.at) {
         *at = part.turned_over(*at);
     }
+    for slot in turned.holes.iter_mut().filter_map(|hole| hole.slot.as_mut()) {
+        slot.x = -slot.x;
+    }
     turned
 }
 
@@ -257,7 +260,7 @@ fn clamped(
     let (mut turns, mut pushes) = ((NewtonMetres(0.0), ""), Newtons(0.0));
     for (plan, hole) in holes.iter().zip(&part.holes) {
         // The point nearest to a clamp needs the most against turning; against sliding all need the same.
-        let distances = hole.at.iter().filter_map(|point| point.to_nearest(&clamps));
+        let distances = hole.ways().flat_map(|way| clamps.iter().map(move |clamp| way.distance(*clamp)));
         let Some(distance) = distances.filter(|distance| *distance > Micrometres::ZERO).min() else { continue };
         for (Load { torque, side, operation, .. }, row) in loads_of(plan, shop)? {
             let by_book = k * torque.0 / (f * distance.to_mm() / 1000.0);
@@ -390,7 +393,7 @@ fn beside_strap(
         let here = plan.transitions.iter().filter(|one| !one.elsewhere);
         let widest = here.map(|one| one.diameter_mm.max(one.tool.diameter_mm)).max().unwrap_or_default();
         let room = widest.max(hole.diameter.nominal).half() + side;
-        hole.at.iter().any(|at| straps.iter().any(|strap| strap.is_hit(*at, *at, room)))
+        hole.ways().any(|way| straps.iter().any(|strap| strap.is_hit(way.from, way.to, room)))
     });
     Ok(near.map(|(plan, _)| {
         let note = Note::new("strap-near-hole").with("screw", &clamping.screw).with("width", strap.width_mm);
@@ -403,7 +406,7 @@ fn beside_strap(
 fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(&'p str, Micrometres, Micrometres)> {
     part.holes.iter().find_map(|hole| {
         let needed = hole.diameter.nominal.half() + inset;
-        let nearest = hole.at.iter().flat_map(|at| clamps.iter().map(|clamp| clamp.distance(*at))).min()?;
+        let nearest = hole.ways().flat_map(|way| clamps.iter().map(move |clamp| way.distance(*clamp))).min()?;
         (nearest < needed).then_some((hole.name.as_str(), nearest, needed))
     })
 }
@@ -432,8 +435,8 @@ fn proposals(part: &Part, inset: Micrometres, machine: &Machine<'_>) -> Vec<Vec<
     let sides =
         shifts.iter().flat_map(|&tenths| [pair(along.ratio(tenths, 5), across), pair(along, across.ratio(tenths, 5))]);
     let room = |clamps: &Vec<Point>| {
-        let holes = part.holes.iter().flat_map(|hole| hole.at.iter().map(|at| (*at, hole.diameter.nominal.half())));
-        holes.flat_map(|(at, radius)| clamps.iter().map(move |clamp| clamp.distance(at) - radius)).min()
+        let holes = part.holes.iter().flat_map(|hole| hole.ways().map(|way| (way, hole.diameter.nominal.half())));
+        holes.flat_map(|(way, radius)| clamps.iter().map(move |clamp| way.distance(*clamp) - radius)).min()
     };
     let mut pairs: Vec<Vec<Point>> = sides.collect();
     pairs.sort_by_cached_key(|clamps| std::cmp::Reverse(room(clamps)));

@@ -9,7 +9,7 @@ use crate::tables::controls::Convention;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
-use super::on_table::swing;
+use super::on_table::{swing, way};
 use super::{SetUp, ToolWork};
 use crate::shop::convention;
 
@@ -59,7 +59,8 @@ pub(super) fn beside(
         let near = setup.works.iter().find(|work| {
             let radius = radius_of(work, plan);
             work.stops.iter().any(|stop| {
-                one.outline.is_hit(stop.at, stop.at, radius + swing(work, stop.cycle) + side)
+                let way = way(work, stop);
+                one.outline.is_hit(way.from, way.to, radius + swing(work, stop.cycle) + side)
                     && work.cycles.get(stop.cycle).is_some_and(|cycle| cycle.end < plan.part.datum.top + one.height)
             })
         });

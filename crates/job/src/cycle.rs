@@ -3,6 +3,7 @@
 use crate::error::KnowledgeError;
 use crate::motion::Sense;
 use crate::note::{Because, Note};
+use crate::part::Slot;
 use crate::plan::{Conditions, Operation, Rounds, Transition};
 use crate::shop::{Shop, convention, programmed_feed};
 use crate::tables::controls::Convention;
@@ -10,7 +11,7 @@ use crate::tables::rules::{HoleCycle, MachiningCycle, MachiningCycleFor, Milling
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 use technolog_note::note;
 
-use super::{Cycle, CycleKind};
+use super::{Cycle, CycleKind, SlotCycle};
 
 /// One stroke of a tool into a hole, with lengths below the entry face.
 #[derive(Clone, Copy, Debug)]
@@ -31,12 +32,14 @@ pub struct Feeding<'a> {
     pub approach: Micrometres,
     /// The pitch of its thread.
     pub pitch: Option<Micrometres>,
+    /// How the slot runs on, as the part lies in the set-up; absent for what is round.
+    pub slot: Option<Slot>,
     /// The cutting conditions.
     pub conditions: &'a Conditions,
 }
 
 impl<'a> Feeding<'a> {
-    /// The stroke of a transition of a plan.
+    /// The stroke of a transition of a plan into a round hole.
     pub fn of(transition: &'a Transition, pitch: Option<Micrometres>) -> Self {
         Self {
             operation: transition.operation,
@@ -47,6 +50,7 @@ impl<'a> Feeding<'a> {
             end: transition.end(),
             approach: transition.approach_mm,
             pitch,
+            slot: None,
             conditions: &transition.conditions,
         }
     }
@@ -129,7 +133,10 @@ fn kind(
                 MillingDirection::Climb => Sense::Counterclockwise,
                 MillingDirection::Conventional => Sense::Clockwise,
             };
-            circles(transition, rounds, top, sense, shop)?
+            match transition.slot {
+                Some(run) => slot(transition, rounds, (top, run, sense), shop)?,
+                None => circles(transition, rounds, top, sense, shop)?,
+            }
         }
     })
 }
@@ -144,12 +151,6 @@ fn circles(
     shop: &Shop<'_>,
 ) -> Result<CycleKind, KnowledgeError> {
     let resolution = shop.machine.resolution;
-    let levels = i64::from(rounds.levels.max(1));
-    let depth = transition.depth - transition.start;
-    let level = |number: i64| match number == levels {
-        true => top - transition.end,
-        false => top - transition.start - depth.ratio(number, levels),
-    };
     let radius = |pass: u32| (rounds.after(pass, transition.diameter) - rounds.mill_diameter_mm).half();
     let round = feed(transition, shop)?;
     let plunge_mm_per_min = match rounds.plunge_feed_mm_per_min {
@@ -158,10 +159,45 @@ fn circles(
     };
     Ok(CycleKind::Circles {
         plunge_mm_per_min,
-        levels: (1..=levels).map(|number| level(number).on_grid(resolution)).collect(),
+        levels: levels(transition, rounds, top, resolution),
         radii: (1..=rounds.passes.max(1)).map(|pass| radius(pass).on_grid(resolution)).collect(),
         sense,
     })
+}
+
+/// Z of the levels of a mill: equal parts of the depth, the overrun added to the last.
+fn levels(transition: &Feeding<'_>, rounds: Rounds, top: Micrometres, resolution: Micrometres) -> Vec<Micrometres> {
+    let levels = i64::from(rounds.levels.max(1));
+    let depth = transition.depth - transition.start;
+    let level = |number: i64| match number == levels {
+        true => top - transition.end,
+        false => top - transition.start - depth.ratio(number, levels),
+    };
+    (1..=levels).map(|number| level(number).on_grid(resolution)).collect()
+}
+
+/// The levels and the ways round of a mill in a slot.
+fn slot(
+    transition: &Feeding<'_>,
+    rounds: Rounds,
+    (top, run, sense): (Micrometres, Slot, Sense),
+    shop: &Shop<'_>,
+) -> Result<CycleKind, KnowledgeError> {
+    let resolution = shop.machine.resolution;
+    let along = feed(transition, shop)?;
+    let programmed =
+        |own: Option<MillimetresPerMinute>| own.map(|own| programmed_feed(own, shop.knowledge)).transpose();
+    let radius = |pass: u32| (rounds.after(pass, transition.diameter) - rounds.mill_diameter_mm).half();
+    let first = 1 + u32::from(rounds.along_middle);
+    Ok(CycleKind::Slot(SlotCycle {
+        plunge_mm_per_min: programmed(rounds.plunge_feed_mm_per_min)?,
+        arc_mm_per_min: programmed(rounds.arc_feed_mm_per_min)?.unwrap_or(along),
+        run,
+        levels: levels(transition, rounds, top, resolution),
+        along_middle: rounds.along_middle,
+        radii: (first..=rounds.passes).map(|pass| radius(pass).on_grid(resolution)).collect(),
+        sense,
+    }))
 }
 
 /// The feed in the steps of programs, rounded down; the feed of a tap depends on its pitch and is not rounded.

@@ -21,6 +21,7 @@ mod make;
 mod norm;
 mod on_table;
 mod part_position;
+mod slot_path;
 mod stand;
 mod time;
 mod unfinished;
@@ -35,7 +36,7 @@ use serde::Serialize;
 use crate::error::KnowledgeError;
 use crate::motion::{Position, Sense};
 use crate::note::{Because, Finding};
-use crate::part::{Face, Point, Standing};
+use crate::part::{Face, Point, Slot, Standing};
 use crate::plan::{Operation, Plan};
 use crate::shop::Shop;
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
@@ -45,6 +46,7 @@ pub use envelope::{Body, BodyKind, Envelope};
 pub use make::make;
 pub use norm::{GivenTimes, Norm, NormItem, norm};
 pub use shop::convention;
+pub use slot_path::{SlotMotion, SlotMove};
 use time::timed;
 pub use time::{Duration, Hands};
 pub use unfinished::{Left, Unfinished};
@@ -284,4 +286,27 @@ pub enum CycleKind {
         /// The direction: with a clockwise spindle counterclockwise is climb milling.
         sense: Sense,
     },
+    /// In a slot, all at feed: at each level along its middle where that is solid, and round along its walls
+    /// ([`Cycle::slot_path`]). It begins and ends at the point.
+    Slot(SlotCycle),
+}
+
+/// The ways of a mill in a slot.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SlotCycle {
+    /// The feed down, where the mill cuts there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plunge_mm_per_min: Option<MillimetresPerMinute>,
+    /// The feed of the mill's middle on the arcs at the ends.
+    pub arc_mm_per_min: MillimetresPerMinute,
+    /// From the point to the middle of the other end radius, as the part lies in the set-up.
+    pub run: Slot,
+    /// Z of the levels, downwards.
+    pub levels: Vec<Micrometres>,
+    /// Whether it goes along the middle first.
+    pub along_middle: bool,
+    /// How far from the middle line the mill's own middle goes round, outwards.
+    pub radii: Vec<Micrometres>,
+    /// The direction: with a clockwise spindle counterclockwise is climb milling.
+    pub sense: Sense,
 }

@@ -3,27 +3,38 @@
 use crate::machine::Machine;
 use crate::motion::Axis;
 use crate::note::{Figure, Finding, Note, Severity};
-use crate::part::{Part, Point};
+use crate::part::{Part, Point, Way};
 use crate::plan::Plan;
 use crate::units::Micrometres;
 use crate::zone;
 
-use super::{CycleKind, SetUp, ToolWork};
+use super::{CycleKind, SetUp, Stop, ToolWork};
 
-/// How far from its point the axis of a tool goes: a mill goes round in the hole.
+/// How far from its point, or from the middle line of its slot, the axis of a tool goes: a mill goes round in the hole.
 pub(super) fn swing(work: &ToolWork, cycle: usize) -> Micrometres {
     match work.cycles.get(cycle).map(|cycle| &cycle.kind) {
         Some(CycleKind::Circles { radii, .. }) => radii.iter().copied().max().unwrap_or_default(),
+        Some(CycleKind::Slot(slot)) => slot.widest(),
         _ => Micrometres::ZERO,
     }
 }
 
+/// The line of a stop: its point, or the middle line of its slot.
+pub(super) fn way(work: &ToolWork, stop: &Stop) -> Way {
+    let to = match work.cycles.get(stop.cycle).map(|cycle| &cycle.kind) {
+        Some(CycleKind::Slot(slot)) => slot.run.far(stop.at),
+        _ => stop.at,
+    };
+    Way { from: stop.at, to }
+}
+
 /// The points of a set-up, each with how far the axis of a tool goes from it, and its hole.
 fn reaches(setup: &SetUp) -> impl Iterator<Item = (Point, Micrometres, &str)> {
-    setup
-        .works
-        .iter()
-        .flat_map(|work| work.stops.iter().map(|stop| (stop.at, swing(work, stop.cycle), stop.hole.as_str())))
+    let stops = setup.works.iter().flat_map(|work| work.stops.iter().map(move |stop| (work, stop)));
+    stops.flat_map(|(work, stop)| {
+        let way = way(work, stop);
+        [way.from, way.to].map(|at| (at, swing(work, stop.cycle), stop.hole.as_str()))
+    })
 }
 
 fn along(at: Point, axis: Axis) -> Micrometres {

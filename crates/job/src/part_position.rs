@@ -11,7 +11,7 @@ use crate::tables::controls::Convention;
 use crate::units::Micrometres;
 use crate::zone::Stroke;
 
-use super::on_table::swing;
+use super::on_table::{swing, way};
 use super::{SetUp, ToolWork};
 use crate::shop::convention;
 
@@ -73,7 +73,11 @@ pub(super) fn stand(
 
 /// X and Y of the zero.
 pub(super) fn across(part: &Part, works: &[ToolWork], machine: &Machine<'_>) -> Point {
-    let reaches = works.iter().flat_map(|work| work.stops.iter().map(|stop| (stop.at, swing(work, stop.cycle))));
+    let stops = works.iter().flat_map(|work| work.stops.iter().map(move |stop| (work, stop)));
+    let reaches = stops.flat_map(|(work, stop)| {
+        let way = way(work, stop);
+        [way.from, way.to].map(|at| (at, swing(work, stop.cycle)))
+    });
     let ends: Vec<[Point; 2]> = reaches
         .map(|(at, swing)| [Point { x: at.x - swing, y: at.y - swing }, Point { x: at.x + swing, y: at.y + swing }])
         .collect();

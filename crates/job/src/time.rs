@@ -13,7 +13,7 @@ use crate::shop::Shop;
 use crate::tables::controls::Convention;
 use crate::units::{Micrometres, Minutes};
 
-use super::{Cycle, CycleKind, Job, Pause, SetUp, ToolWork, convention};
+use super::{Cycle, CycleKind, Job, Pause, SetUp, SlotMotion, ToolWork, convention};
 
 /// Times of manual work while a program waits.
 #[derive(Clone, Copy, Debug)]
@@ -116,6 +116,27 @@ impl Cycle {
                 took.feed = at_feed(levels.len() as f64 * (round + 2.0 * widest))
                     + plunge_mm_per_min.map_or_else(|| at_feed(down_at_feed), |feed| Minutes(down_at_feed / feed.0));
                 took.rapid = down + rapid.time(self.out - lowest);
+            }
+            CycleKind::Slot(slot) => {
+                let (mut at, mut z) = ([0.0, 0.0], self.begin);
+                took.feed = Minutes(0.0);
+                // On the finest grid: what a program rounds takes no time.
+                for made in Self::slot_path(slot, Micrometres::new(1)) {
+                    let to = made.to.map(Micrometres::to_mm);
+                    let length = match made.motion {
+                        SlotMotion::Down(level) => {
+                            let down = (z - level).to_mm();
+                            z = level;
+                            down
+                        }
+                        SlotMotion::Across => libm::hypot(to[0] - at[0], to[1] - at[1]),
+                        SlotMotion::Half(_) => libm::hypot(to[0] - at[0], to[1] - at[1]) * std::f64::consts::FRAC_PI_2,
+                    };
+                    at = to;
+                    let feed = slot.feed_of(made.motion, self.feed_mm_per_min).0;
+                    took.feed = took.feed + Minutes(if feed > 0.0 { length / feed } else { 0.0 });
+                }
+                took.rapid = down + rapid.time(self.out - z);
             }
         }
         took

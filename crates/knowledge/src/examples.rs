@@ -38,6 +38,19 @@ const EXAMPLES: &[(&str, &[(&str, &str)])] = &[
     ("::Counterbore", &[("diameter", "18"), ("depth", "5")]),
     ("::Countersink", &[("diameter", "14")]),
     ("::Cone", &[("diameter", "12")]),
+    (
+        "slot::Slot",
+        &[
+            ("name", "S"),
+            ("from", "[-20, 0]"),
+            ("to", "[20, 0]"),
+            ("centre", "[0, 0]"),
+            ("length", "52"),
+            ("width", "12H12"),
+            ("roughness", "Ra 6.3"),
+            ("centre_tolerance", "0.4"),
+        ],
+    ),
     ("::Groove", &[("diameter", "22"), ("width", "3"), ("depth", "10")]),
     ("::FaceKeys", &[("diameter", "30")]),
     (

@@ -11,7 +11,7 @@ use super::sheet::mm;
 use super::words::say;
 use crate::job::Job;
 use crate::motion::{MotionStep, Position, Sense};
-use crate::part::{Face, Hole, Outline, Part, Point, Standing};
+use crate::part::{Face, Hole, Outline, Part, Point, Standing, Way};
 use crate::units::Micrometres;
 
 mod labels;
@@ -65,12 +65,13 @@ impl<'a> Frame<'a> {
 }
 
 impl Placed {
-    /// The centres of the holes with their diameters and names, in this set-up.
-    fn holes<'p>(&self, part: &'p Part) -> impl Iterator<Item = (Point, Micrometres, &'p str)> + 'p {
+    /// Where the holes are, with their diameters and names, in this set-up.
+    fn holes<'p>(&self, part: &'p Part) -> impl Iterator<Item = (Way, Micrometres, &'p str)> + 'p {
         let (middle, back) = (part.middle().x, self.face == Face::Back);
         let turned = move |at: Point| Point { x: if back { middle + middle - at.x } else { at.x }, y: at.y };
         let all = move |hole: &'p Hole| {
-            hole.at.iter().map(move |&at| (turned(at), hole.diameter.nominal, hole.name.as_str()))
+            let lies = move |way: Way| Way { from: turned(way.from), to: turned(way.to) };
+            hole.ways().map(move |way| (lies(way), hole.diameter.nominal, hole.name.as_str()))
         };
         part.holes.iter().flat_map(all)
     }
@@ -268,9 +269,10 @@ fn draw(
         // Turned over about its middle, the plate covers the same area.
         let (right, rear) = (left + blank.length.to_mm(), front + blank.width.to_mm());
         canvas.rectangle(view.at((left, front)), view.at((right, rear)), "#f4f4f4", Some(OUTLINE));
-        for (at, diameter, _) in placed.holes(frame.part) {
+        for (way, diameter, _) in placed.holes(frame.part) {
             let radius = (diameter.to_mm() / 2.0 * view.scale).max(1.0);
-            canvas.circle(view.at((at.x.to_mm(), at.y.to_mm())), radius, "white", Some(HOLE));
+            let ends = [way.from, way.to].map(|end| view.at((end.x.to_mm(), end.y.to_mm())));
+            canvas.slot(ends, radius, "white", Some(HOLE));
         }
         for (_, one) in frame.standing.iter().filter(|(setup, _)| *setup == placed.number) {
             clamp(canvas, one, &view);
@@ -330,13 +332,13 @@ fn clamp(canvas: &mut Canvas, one: &Standing, view: &View) {
 /// The names of the holes beside them, wherever the numbers leave room.
 fn names<'p>(
     canvas: &mut Canvas,
-    holes: impl Iterator<Item = (Point, Micrometres, &'p str)>,
+    holes: impl Iterator<Item = (Way, Micrometres, &'p str)>,
     view: View,
     labels: &mut Labels,
 ) {
     const SIZE: f64 = 9.0;
-    for (at, diameter, name) in holes {
-        let middle = view.at((at.x.to_mm(), at.y.to_mm()));
+    for (way, diameter, name) in holes {
+        let middle = view.at((way.from.x.to_mm(), way.from.y.to_mm()));
         let off = (diameter.to_mm() / 2.0 * view.scale - 3.0).max(0.0);
         if let Some(place) = labels.place_off(middle, off, name, SIZE) {
             canvas.text_in(place, SIZE, Anchor::Middle, name, "#7a5c3e");

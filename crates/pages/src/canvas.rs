@@ -94,6 +94,24 @@ impl Canvas {
         ));
     }
 
+    /// A slot with round ends, by the middles of those; a circle where both are one.
+    pub(super) fn slot(&mut self, [a, b]: [At; 2], radius: f64, fill: &str, pen: Option<Pen>) {
+        if a == b {
+            return self.circle(a, radius, fill, pen);
+        }
+        const PARTS: i32 = 16;
+        let along = libm::atan2(b.1 - a.1, b.0 - a.0);
+        let half = |middle: At, from: f64| {
+            (0..=PARTS).map(move |part| {
+                let angle = from + std::f64::consts::PI * f64::from(part) / f64::from(PARTS);
+                (middle.0 + radius * libm::cos(angle), middle.1 + radius * libm::sin(angle))
+            })
+        };
+        let quarter = std::f64::consts::FRAC_PI_2;
+        let corners: Vec<At> = half(b, along - quarter).chain(half(a, along + quarter)).collect();
+        self.area(&corners, fill, pen);
+    }
+
     /// A text. A white outline keeps it readable over lines.
     pub(super) fn text(&mut self, at: At, size: f64, anchor: Anchor, text: &str) {
         self.written(at, size, anchor, text, "");

@@ -89,7 +89,8 @@ fn rows(work: &ToolWork) -> Vec<Vec<usize>> {
 }
 
 fn row_height(work: &ToolWork, row: &[usize]) -> f64 {
-    let round = row.iter().any(|&cycle| matches!(work.cycles[cycle].kind, CycleKind::Circles { .. }));
+    let round =
+        row.iter().any(|&cycle| matches!(work.cycles[cycle].kind, CycleKind::Circles { .. } | CycleKind::Slot(_)));
     HEAD + BODY + if round { ABOVE } else { 0.0 }
 }
 
@@ -145,6 +146,10 @@ fn diagram(canvas: &mut Canvas, (x, y): (f64, f64), work: &ToolWork, index: usiz
             lang,
         );
     }
+    if let CycleKind::Slot(slot) = &cycle.kind {
+        let middle = (x + WIDTH / 2.0, y + HEAD + BODY + ABOVE / 2.0 - 12.0);
+        toolpath::slot_from_above(canvas, middle, WIDTH - 2.0 * MARGIN, slot, &section, lang);
+    }
 }
 
 /// Speed, feed, dwell, and the steps of a cycle that has them.
@@ -170,6 +175,14 @@ fn figures(cycle: &Cycle, work: &ToolWork, lang: Lang) -> String {
         CycleKind::FeedOut => parts.push(say!(lang, "cycles-out-at-feed").to_owned()),
         CycleKind::Circles { plunge_mm_per_min: Some(plunge), .. } => {
             parts.push(say!(lang, "cycles-plunge", feed = rounded(plunge.0, 0)));
+        }
+        CycleKind::Slot(slot) => {
+            if let Some(plunge) = slot.plunge_mm_per_min {
+                parts.push(say!(lang, "cycles-plunge", feed = rounded(plunge.0, 0)));
+            }
+            if !slot.radii.is_empty() {
+                parts.push(say!(lang, "cycles-arcs", feed = rounded(slot.arc_mm_per_min.0, 0)));
+            }
         }
         CycleKind::Drill | CycleKind::Circles { .. } => {}
     }

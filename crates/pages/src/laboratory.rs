@@ -206,7 +206,8 @@ fn task(page: &mut Document, plan: &Plan, title: &TitleBlock, lang: Lang) {
         Column::text(say!(lang, "lab-places")).min_width(24),
     ]);
     for hole in &plan.part.holes {
-        let points = hole.at.iter().map(|at| say!(lang, "plan-point", x = at.x, y = at.y));
+        // Of a slot both middles of its end radii.
+        let points = hole.ends().map(|at| say!(lang, "plan-point", x = at.x, y = at.y));
         table.row([
             Inlines::from(hole.name.as_str()),
             Inlines::number(hole.at.len().to_string()),
@@ -222,6 +223,9 @@ fn task(page: &mut Document, plan: &Plan, title: &TitleBlock, lang: Lang) {
 }
 
 fn size(hole: &Hole, lang: Lang) -> String {
+    if let Some(slot) = route::slot_size(hole, lang) {
+        return slot;
+    }
     match &hole.thread {
         Some(thread) => thread.written.clone(),
         None => lang.figure(&crate::note::IntoFigure::into_figure(&hole.diameter)),
@@ -391,7 +395,7 @@ fn conclusions(page: &mut Document, own: &Sources<'_>, title: &TitleBlock, lang:
         page.paragraph(say!(lang, "lab-slowest", hole = hole.name.as_str(), time = exactly(time, 2)));
     }
     let (listed, _) = Doubts::Counted.split(plan.findings.iter());
-    listed.into_iter().chain(own.of_program()).for_each(|finding| sheet::finding(page, finding, lang));
+    listed.into_iter().chain(own.of_program()).for_each(|finding| sheet::finding(page, plan, finding, lang));
     let count = unconfirmed(plan.findings.iter()).len();
     if count > 0 {
         page.paragraph(say!(lang, "lab-unconfirmed", count = count));

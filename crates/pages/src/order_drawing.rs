@@ -1,7 +1,7 @@
 //! Drawings of the order: the plate, its holes, and the path of each tool with its points numbered.
 
 use super::canvas::{Anchor, At, COLOURS, Canvas, Pen};
-use crate::part::{Part, Point};
+use crate::part::{Part, Point, Way};
 use crate::units::Micrometres;
 
 /// A path to be drawn.
@@ -28,10 +28,10 @@ const NUMBERED: usize = 150;
 
 /// The panels, two in a row, each with the plate (if there is one) and all holes under its path.
 pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
-    let holes: Vec<(Point, Micrometres)> = part
+    let holes: Vec<(Way, Micrometres)> = part
         .iter()
         .flat_map(|part| &part.holes)
-        .flat_map(|hole| hole.at.iter().map(|&at| (at, hole.diameter.nominal)))
+        .flat_map(|hole| hole.ways().map(|way| (way, hole.diameter.nominal)))
         .collect();
     let plate = part.map(|part| {
         let (datum, blank) = (part.datum, part.blank);
@@ -39,7 +39,9 @@ pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
     });
     let mut xs: Vec<f64> = Vec::new();
     let mut ys: Vec<f64> = Vec::new();
-    for point in panels.iter().flat_map(|panel| &panel.path).chain(holes.iter().map(|(at, _)| at)) {
+    for point in
+        panels.iter().flat_map(|panel| &panel.path).chain(holes.iter().flat_map(|(way, _)| [&way.from, &way.to]))
+    {
         xs.push(mm(point.x));
         ys.push(mm(point.y));
     }
@@ -69,7 +71,7 @@ pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
         }
         for (hole, diameter) in &holes {
             let radius = (mm(*diameter) / 2.0 * scale).max(1.0);
-            canvas.circle(at(hole), radius, "white", Some(Pen::solid("#999", 1.0)));
+            canvas.slot([at(&hole.from), at(&hole.to)], radius, "white", Some(Pen::solid("#999", 1.0)));
         }
         let colour = COLOURS[number % COLOURS.len()];
         let back = panel.path.first().filter(|_| panel.closed);

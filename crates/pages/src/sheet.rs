@@ -196,7 +196,7 @@ fn time(plan: &Plan, lang: Lang) -> String {
 
 /// What stands against the part.
 pub(super) fn findings_of_errors(page: &mut Document, plan: &Plan, lang: Lang) {
-    plan.findings.iter().filter(|own| own.severity <= Severity::Wrong).for_each(|own| finding(page, own, lang));
+    plan.findings.iter().filter(|own| own.severity <= Severity::Wrong).for_each(|own| finding(page, plan, own, lang));
 }
 
 fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
@@ -204,11 +204,11 @@ fn findings(page: &mut Document, plan: &Plan, doubts: Doubts, lang: Lang) {
     if let Some(counted) = counted {
         page.push(FindingBlock::new(Shown::Doubtful, MARK, Inlines::sentence(&lang.say(&counted))));
     }
-    listed.into_iter().for_each(|own| finding(page, own, lang));
+    listed.into_iter().for_each(|own| finding(page, plan, own, lang));
 }
 
 /// A finding of a plan.
-pub(super) fn finding(page: &mut Document, finding: &Finding, lang: Lang) {
+pub(super) fn finding(page: &mut Document, plan: &Plan, finding: &Finding, lang: Lang) {
     let (severity, word) = match finding.severity {
         Severity::Error => (Shown::Error, say!(lang, "plan-impossible")),
         Severity::Wrong => (Shown::Wrong, say!(lang, "plan-wrong")),
@@ -218,6 +218,9 @@ pub(super) fn finding(page: &mut Document, finding: &Finding, lang: Lang) {
         Severity::Note => (Shown::Note, say!(lang, "plan-note")),
     };
     let text = match &finding.hole {
+        Some(hole) if plan.part.holes.iter().any(|own| own.name == *hole && own.slot.is_some()) => {
+            say!(lang, "plan-of-slot", slot = Figure::called(hole), finding = finding.note.clone())
+        }
         Some(hole) => say!(lang, "plan-of-hole", hole = Figure::called(hole), finding = finding.note.clone()),
         None => lang.say(&finding.note),
     };

@@ -7,7 +7,7 @@ use crate::part::{Hole, Part};
 use crate::plan::{Operation, Plan, Transition};
 
 use super::Lang;
-use super::sheet::route::{finishes, size_of};
+use super::sheet::route::{finishes, size_of, slot_size};
 use super::words::say;
 
 /// The transitions that a work makes with some of its cycles: for each its group, its number and the number of its
@@ -56,6 +56,10 @@ pub(super) fn sentence(plan: &Plan, work: &ToolWork, cycles: &[usize], lang: Lan
 
 /// `6 отв. Ø10H12 (A)`, with the diameter reached if it is not yet that of the hole.
 fn holes(hole: &Hole, transition: &Transition, count: usize, lang: Lang) -> String {
+    if let Some(size) = slot_size(hole, lang) {
+        let (size, width) = (size.as_str(), transition.diameter_mm);
+        return say!(lang, "cycles-slot", size = size, hole = hole.name.as_str(), width = width);
+    }
     let (size, name) = (size_of(hole, transition), hole.name.as_str());
     if transition.operation == Operation::CentreDrill || finishes(hole, transition) {
         return say!(lang, "cycles-holes", count = count, size = size, hole = name);

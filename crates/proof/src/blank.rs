@@ -80,8 +80,8 @@ fn walls<'p>(part: &'p Part, shop: &Shop<'_>) -> Result<Vec<(&'p String, Fault)>
     };
     let mut points: Vec<(Point, usize)> = Vec::new();
     for (index, hole) in part.holes.iter().enumerate() {
-        points.extend(hole.at.iter().map(|at| (*at, index)));
-        for at in &hole.at {
+        points.extend(hole.at.iter().filter(|_| hole.slot.is_none()).map(|at| (*at, index)));
+        for at in hole.ends() {
             let (left, front) = (at.x - part.datum.left, at.y - part.datum.front);
             let edge = left.min(front).min(part.blank.length - left).min(part.blank.width - front);
             for span in &spans[index] {
@@ -101,6 +101,23 @@ fn walls<'p>(part: &'p Part, shop: &Shop<'_>) -> Result<Vec<(&'p String, Fault)>
                 if height > Micrometres::ZERO {
                     let wall = at.distance(*other) - (own.diameter + theirs.diameter).half();
                     note((a, Some(b)), wall, of_height(height));
+                }
+            }
+        }
+    }
+    // Slots are few: each is held against all others.
+    for (a, slot) in part.holes.iter().enumerate().filter(|(_, hole)| hole.slot.is_some()) {
+        let others = part.holes.iter().enumerate().filter(|(b, other)| other.slot.is_none() || *b < a);
+        for (b, other) in others {
+            let apart = slot.ways().flat_map(|own| other.ways().map(move |theirs| own.apart(theirs))).min();
+            for (own, theirs) in spans[a].iter().flat_map(|own| spans[b].iter().map(move |theirs| (own, theirs))) {
+                let height = own.to.min(theirs.to) - own.from.max(theirs.from);
+                if let Some(apart) = apart.filter(|_| height > Micrometres::ZERO) {
+                    note(
+                        (b.min(a), Some(b.max(a))),
+                        apart - (own.diameter + theirs.diameter).half(),
+                        of_height(height),
+                    );
                 }
             }
         }

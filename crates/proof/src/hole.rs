@@ -428,7 +428,7 @@ impl Walk<'_, '_> {
         width: Micrometres,
     ) -> Result<(), KnowledgeError> {
         let operation = transition.operation;
-        if transition.depth_mm < required.depth && !required.flat {
+        if transition.depth_mm < required.depth && (!required.flat || self.hole.slot.is_some()) {
             self.faults.push(Fault::TooShallow { operation, depth: transition.depth_mm, required: required.depth });
         }
         if let Some(thread) = required.thread {

@@ -140,6 +140,8 @@ vocabulary! {
         Radial = "radial",
         /// The depth of one level.
         Axial = "axial",
+        /// The depth of one level where the whole mill stands in the metal.
+        Slot = "slot",
     }
 
     /// The condition for a correction of a reamer's feed.

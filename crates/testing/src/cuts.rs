@@ -24,6 +24,7 @@ pub fn plain_cut(operation: Operation, from: Micrometres, diameter: Micrometres)
         pitch: None,
         around: None,
         plunges: false,
+        slot: None,
         cutter: None,
         feed_diameter: None,
         tool_diameter: None,

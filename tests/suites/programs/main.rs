@@ -18,6 +18,7 @@ mod iso;
 mod office;
 mod proof;
 mod report;
+mod slots;
 mod through_nothing;
 mod times;
 mod unfinished;

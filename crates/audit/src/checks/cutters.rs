@@ -140,7 +140,8 @@ fn plunging(
     enters: Micrometres,
 ) -> Option<Plunging> {
     if row.opens_main_cylinder() {
-        let floor = !hole.through && hole.thread.is_none();
+        // A mill goes down into the metal of a slot, whether that goes through or not.
+        let floor = hole.slot.is_some() || !hole.through && hole.thread.is_none();
         return floor.then_some(Plunging { widest: diameter, without_middle: diameter });
     }
     let core = context.shop.share(HoleDefault::MillCoreShare).unwrap_or(1.0);

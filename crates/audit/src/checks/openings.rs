@@ -36,7 +36,7 @@ pub(super) fn check<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
-    for hole in &context.stated.part.holes {
+    for hole in context.stated.part.holes.iter().filter(|hole| hole.slot.is_none()) {
         let rows: Vec<(usize, &Row)> = context.stated.rows_of_hole(&hole.name).collect();
         if rows.is_empty() {
             continue;

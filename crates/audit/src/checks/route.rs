@@ -43,6 +43,12 @@ pub(super) fn check<'a>(
             findings.push(AuditFinding::new(Severity::Error, Section::Route, field, note).about(hole_subject(hole)));
             continue;
         }
+        if hole.slot.is_some() && !stated.is_own {
+            // No table speaks of slots, and the rules of figures know round holes.
+            let note = Note::new("audit-slot-not-checked");
+            let field = format!("route.{}", hole.name);
+            findings.push(AuditFinding::new(Severity::Doubtful, Section::Route, field, note).about(hole_subject(hole)));
+        }
         order(context, &rows, findings)?;
         finished(context, graph, hole, &rows, findings);
     }

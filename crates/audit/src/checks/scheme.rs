@@ -24,7 +24,7 @@ pub(super) fn check<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
-    for hole in &context.stated.part.holes {
+    for hole in context.stated.part.holes.iter().filter(|hole| hole.slot.is_none()) {
         let rows: Vec<(usize, &Row)> = context.stated.rows_of_hole(&hole.name).collect();
         let Some(plan) = context.plan.holes.iter().find(|plan| plan.name == hole.name) else { continue };
         let (Some((_, first)), Some(route)) = (rows.first(), &plan.route) else { continue };

@@ -164,6 +164,7 @@ pub(super) fn cut(context: &Context<'_>, at: usize) -> Result<Option<Cut>, Knowl
         cutter: None,
         around: None,
         plunges: false,
+        slot: None,
     }))
 }
 

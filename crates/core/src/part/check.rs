@@ -8,7 +8,7 @@ use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::Problems;
 use crate::units::Micrometres;
 
-use super::{Blank, Datum, Hole, PinHole, Point};
+use super::{Blank, Datum, Hole, PinHole, Point, Slot, Way};
 
 /// A section of a hole with one diameter; depths are measured from the entry face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +44,8 @@ pub(super) struct Group {
     pub through: Option<bool>,
     pub at: Option<Centres>,
     pub points: Vec<(Point, Place)>,
+    /// How it runs on from its point, where it is a slot.
+    pub slot: Option<Slot>,
     /// The whole hole, if nothing was missing.
     pub hole: Option<Hole>,
 }
@@ -51,6 +53,12 @@ pub(super) struct Group {
 impl Group {
     fn label(&self) -> Figure {
         self.name.as_ref().map_or_else(|| "?".into_figure(), |(name, _)| Figure::called(name))
+    }
+
+    /// The lines over which its axes extend, with their places.
+    fn ways(&self) -> impl Iterator<Item = (Way, &Place)> {
+        let slot = self.slot.unwrap_or_default();
+        self.points.iter().map(move |(at, place)| (Way { from: *at, to: slot.far(*at) }, place))
     }
 
     /// The widest diameter anywhere in the hole.
@@ -87,9 +95,45 @@ pub(super) fn check_names(groups: &[Group], problems: &mut Problems) {
 pub(super) fn check_geometry(groups: &[Group], blank: &Blank, datum: &Datum, problems: &mut Problems) {
     for group in groups {
         depth(group, blank, problems);
-        inside(group, blank, datum, problems);
+        match group.slot {
+            None => inside(group, blank, datum, problems),
+            Some(_) => slot_inside(group, blank, datum, problems),
+        }
     }
     apart(groups, problems);
+    slots_apart(groups, problems);
+}
+
+/// Both ends of a slot inside the blank.
+fn slot_inside(group: &Group, blank: &Blank, datum: &Datum, problems: &mut Problems) {
+    let Some(width) = group.widest() else { return };
+    for (way, place) in group.ways() {
+        let out = [way.from, way.to].into_iter().find(|end| reaches_out(*end, width.half(), blank, datum));
+        if let Some(end) = out {
+            let message = note!("part-slot-inside-blank", name = group.label(), width = width, x = end.x, y = end.y);
+            problems.error_help::<()>("outside-blank", message, place, extent(blank, datum));
+        }
+    }
+}
+
+/// No slot in a hole or in a slot that stands before it in the file.
+fn slots_apart(groups: &[Group], problems: &mut Problems) {
+    for (index, group) in groups.iter().enumerate().filter(|(_, group)| group.slot.is_some()) {
+        // Holes stand before slots, whatever their order in the file.
+        let met = groups[..index].iter().find_map(|other| {
+            let needed = group.needs(other)?;
+            let near =
+                |(way, place)| other.ways().map(move |(theirs, _)| (theirs.apart(way), place)).min_by_key(|one| one.0);
+            let (distance, place) = group.ways().filter_map(near).min_by_key(|one| one.0)?;
+            (distance < needed).then_some((other, place, distance, needed))
+        });
+        if let Some((other, place, distance, needed)) = met {
+            let code = if other.slot.is_some() { "part-slot-runs-into-slot" } else { "part-slot-runs-into-hole" };
+            let message = note!(code, label = group.label(), other = other.label());
+            let help = note!("part-middles-mm-apart-need", distance = distance, needed = needed);
+            problems.error_help::<()>("holes-meet", message, place, help);
+        }
+    }
 }
 
 /// Checks that every clamp presses on the blank, and not on a hole.
@@ -107,10 +151,12 @@ pub(super) fn check_clamps(
         }
         let under = groups.iter().find(|group| {
             let radius = group.mouth().unwrap_or_default().half();
-            group.points.iter().any(|(hole, _)| hole.distance(*point) < radius)
+            group.ways().any(|(way, _)| way.distance(*point) < radius)
         });
         if let Some(group) = under {
-            let message = note!("part-clamp-at-presses-on-hole", x = point.x, y = point.y, label = group.label());
+            let slot = group.slot.is_some();
+            let code = if slot { "part-clamp-at-presses-on-slot" } else { "part-clamp-at-presses-on-hole" };
+            let message = note!(code, x = point.x, y = point.y, label = group.label());
             problems.error_help::<()>("clamp-on-hole", message, place, note!("part-put-beside-hole"));
         }
     }
@@ -228,7 +274,7 @@ struct Meeting<'g> {
 
 fn apart(groups: &[Group], problems: &mut Problems) {
     let mut cells = Cells::new(groups);
-    for (index, group) in groups.iter().enumerate() {
+    for (index, group) in groups.iter().enumerate().filter(|(_, group)| group.slot.is_none()) {
         let meetings = cells.meetings(index);
         let Some(first) = meetings.first() else { continue };
         let (same_other, itself) =

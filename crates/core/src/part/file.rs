@@ -5,6 +5,7 @@
 //! and reads the file itself, because it says where every mistake stands.
 
 pub mod hole;
+pub mod slot;
 
 use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;
@@ -12,6 +13,7 @@ use technolog_knowledge::forms;
 
 use super::{BlankKind, Entry};
 use hole::Hole;
+use slot::Slot;
 
 /// The JSON Schema of a part file.
 pub fn schema() -> Schema {
@@ -21,6 +23,7 @@ pub fn schema() -> Schema {
 forms! {
     /// A part to be planned by `technolog plan`. All lengths are in mm with a decimal point and at most
     /// three decimal places.
+    #[schemars(extend("anyOf" = [{"required": ["holes"]}, {"required": ["slots"]}]))]
     pub struct PartFile {
         /// Name of the part.
         pub part: Name,
@@ -45,7 +48,10 @@ forms! {
         pub dimensions: Option<Vec<Dimension>>,
         /// The groups of equal holes.
         #[schemars(length(min = 1))]
-        pub holes: Vec<Hole>,
+        pub holes: Option<Vec<Hole>>,
+        /// The slots.
+        #[schemars(length(min = 1))]
+        pub slots: Option<Vec<Slot>>,
     }
 
     /// A material in a state: how it is delivered, or its hardness, its strength or both.
@@ -331,6 +337,9 @@ holes:
     centre_tolerance: 0.46
     pattern: {circle: {centre: [400, 80], diameter: 60, count: 6, start_angle: 15}}
     cone: {diameter: 8, angle: 60}
+slots:
+  - {name: S, from: [200, 100], to: [240, 100], width: 12H12, depth: 10, roughness: Ra 6.3, centre_tolerance: 0.4}
+  - {name: T, centre: [200, -100], length: 60, angle: 30, width: 14, through: true, roughness: Ra 12.5, centre_tolerance: 0.4}
 ";
 
     fn root(path: &str) -> PathBuf {
@@ -389,13 +398,13 @@ holes:
     fn a_part_with_every_key_fits_the_schema_types_and_the_reader() {
         let part = super::super::read_part("full", FULL, &knowledge()).unwrap();
         assert_eq!(part.material, "steel-45");
-        assert_eq!(part.holes.iter().map(|hole| hole.at.len()).collect::<Vec<_>>(), [2, 3, 1, 4, 6]);
+        assert_eq!(part.holes.iter().map(|hole| hole.at.len()).collect::<Vec<_>>(), [2, 3, 1, 4, 6, 1, 1]);
         serde_yaml::from_str::<PartFile>(FULL).unwrap();
         fn used<F: Form>() -> bool {
             F::KEYS.iter().all(|key| FULL.contains(&format!("{}:", key.name())))
         }
         assert!(used::<PartFile>() && used::<Hole>() && used::<hole::Step>());
-        assert!(used::<hole::Grid>() && used::<hole::Circle>() && used::<hole::Cone>());
+        assert!(used::<slot::Slot>() && used::<hole::Grid>() && used::<hole::Circle>() && used::<hole::Cone>());
     }
 
     #[test]
@@ -428,6 +437,8 @@ holes:
             ("line:", "row:"),
             ("step: 30.5", "step: [1, 2]"),
             ("at: [[50, 0], [100, 0]]", "at: [50, 0]"),
+            ("from: [200, 100]", "form: [200, 100]"),
+            ("length: 60", "length: long"),
         ] {
             let text = FULL.replacen(from, to, 1);
             assert_ne!(text, FULL, "{from}");

@@ -18,7 +18,9 @@ mod read_features;
 mod read_fixture;
 mod read_holes;
 mod read_pattern;
+mod read_slots;
 mod read_steps;
+mod slot;
 mod standing;
 pub mod stated;
 mod thread;
@@ -35,6 +37,7 @@ pub use deviations::Deviations;
 pub use dimension::{Along, Base, Dimension, Side};
 pub use file::schema;
 pub use read::{read_part, read_part_node};
+pub use slot::{Slot, Way};
 pub use standing::{Outline, Standing};
 pub use tolerance::{ToleratedDiameter, tolerance_width};
 
@@ -244,6 +247,9 @@ pub struct Hole {
     /// The wider cylinders of a stepped hole beside the main one, from the entry face inwards.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub steps: Vec<HoleStep>,
+    /// How it runs on from each of its centres, where it is a slot: its width is `diameter`, its ends are round.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slot: Option<Slot>,
     /// The centres.
     pub at: Vec<Point>,
 }

@@ -66,7 +66,12 @@ impl Reader<'_> {
         let position_tolerance = self.size(&mut fields, PartFile::position_tolerance);
         let mass_kg = fields.take(PartFile::mass).and_then(|node| self.mass(node));
         let dimensions_node = fields.take(PartFile::dimensions);
-        let holes_node = fields.need(PartFile::holes, self.problems);
+        let slots_node = fields.take(PartFile::slots);
+        // A part may have slots alone.
+        let holes_node = match fields.means(PartFile::slots) {
+            true => fields.take(PartFile::holes),
+            false => fields.need(PartFile::holes, self.problems),
+        };
         fields.finish(self.problems);
 
         let datum = match (datum_node, blank) {
@@ -81,7 +86,8 @@ impl Reader<'_> {
             Some(node) => self.fixture(node, &mut clamps, &mut pins),
             None => Some(Fixture::default()),
         };
-        let groups = holes_node.map(|node| self.groups(node, blank.as_ref())).unwrap_or_default();
+        let mut groups = holes_node.map(|node| self.groups(node, blank.as_ref())).unwrap_or_default();
+        groups.extend(slots_node.map(|node| self.slots(node, blank.as_ref())).unwrap_or_default());
         check::check_names(&groups, self.problems);
         if let (Some(blank), Some(datum)) = (&blank, &datum) {
             check::check_geometry(&groups, blank, datum, self.problems);

@@ -70,7 +70,12 @@ impl Reader<'_> {
         if let Some((_, side)) = Side::NAMES.iter().find(|(name, _)| *name == text) {
             return Some(Base::Side(*side));
         }
-        if groups.iter().any(|group| named(group, text)) {
+        if let Some(group) = groups.iter().find(|group| named(group, text)) {
+            // To which of its ends or walls it goes nobody can tell.
+            if group.slot.is_some() {
+                let message = note!("part-dimension-of-slot", name = Figure::called(text));
+                return self.problems.error("bad-value", message, &node.place);
+            }
             return Some(Base::Hole(text.to_owned()));
         }
         let names = || groups.iter().filter_map(|group| group.name.as_ref()).map(|(name, _)| name.as_str());

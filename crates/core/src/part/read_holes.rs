@@ -119,6 +119,7 @@ impl Reader<'_> {
             through,
             at,
             points,
+            slot: None,
             hole: None,
         };
         if let (Some(name), Some(cylinders), Some(through)) = (name, cylinders, through)
@@ -143,6 +144,7 @@ impl Reader<'_> {
                 state: features.state,
                 outer_wall: features.outer_wall,
                 steps: cylinders.steps,
+                slot: None,
                 at: group.points.iter().map(|(point, _)| *point).collect(),
             });
         }
@@ -245,7 +247,7 @@ impl Reader<'_> {
         self.positive(node, what)
     }
 
-    fn centre_tolerance(&mut self, node: &Node) -> Option<CentreTolerance> {
+    pub(super) fn centre_tolerance(&mut self, node: &Node) -> Option<CentreTolerance> {
         // Cyrillic ІТ looks like the Latin letters and is typed as often.
         let text = self.problems.text(node)?.to_uppercase().replace('І', "I").replace('Т', "T");
         if let Some(grade) = text.strip_prefix("IT") {

@@ -112,7 +112,7 @@ impl Reader<'_> {
     }
 
     /// An angle in millionths of a degree, counter-clockwise from +X; zero when left out.
-    fn direction<F>(&mut self, fields: &mut Fields<'_, F>, key: KeyOf<F>) -> Option<i128> {
+    pub(super) fn direction<F>(&mut self, fields: &mut Fields<'_, F>, key: KeyOf<F>) -> Option<i128> {
         match fields.take(key) {
             Some(node) => self.problems.scalar::<Decimal>(node).map(|angle| i128::from(angle.millionths())),
             None => Some(0),
@@ -122,7 +122,7 @@ impl Reader<'_> {
 
 /// A rotation about +Z.
 #[derive(Clone, Copy)]
-struct Turn {
+pub(super) struct Turn {
     cos: f64,
     sin: f64,
 }
@@ -143,8 +143,13 @@ impl Turn {
         Self { cos, sin }
     }
 
+    /// A turn by millionths of a degree.
+    pub(super) fn of_degrees(millionths: i128) -> Self {
+        Self::new(millionths, TURN)
+    }
+
     /// A point at these distances from the origin, rotated about it, rounded to the micrometre.
-    fn place(self, origin: Point, along_mm: f64, across_mm: f64) -> Point {
+    pub(super) fn place(self, origin: Point, along_mm: f64, across_mm: f64) -> Point {
         let coordinate = |zero: Micrometres, mm: f64| {
             let um = (zero.to_mm() + mm) * 1000.0;
             Micrometres::new(um.round().clamp(-FARTHEST_UM, FARTHEST_UM) as i64)

@@ -122,7 +122,7 @@ fn crosses(from: Point, to: Point, low: Point, high: Point) -> bool {
 }
 
 /// The distance from a point to a straight way, mm.
-fn distance(a: Point, b: Point, at: Point) -> f64 {
+pub(super) fn distance(a: Point, b: Point, at: Point) -> f64 {
     let [ax, ay, bx, by, px, py] = [a.x, a.y, b.x, b.y, at.x, at.y].map(Micrometres::to_mm);
     let (dx, dy) = (bx - ax, by - ay);
     let square = dx * dx + dy * dy;

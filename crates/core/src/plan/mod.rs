@@ -338,11 +338,28 @@ pub struct Rounds {
     /// Feed down, mm/min, where the mill cuts on its way down; absent where it goes down through an open hole.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub plunge_feed_mm_per_min: Option<MillimetresPerMinute>,
+    /// In a slot, the feed of the mill's middle on the arcs at its ends, mm/min: there the teeth are faster at the wall than along
+    /// it. Absent for what is round, and where the mill only goes along the middle.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub arc_feed_mm_per_min: Option<MillimetresPerMinute>,
+    /// Whether the first pass goes along the middle of a slot, in solid metal: it leaves a slot as wide as the mill.
+    #[serde(skip_serializing_if = "std::ops::Not::not", default)]
+    pub along_middle: bool,
 }
 
 impl Rounds {
-    /// The diameter after a pass, counted from 1, of a hole that is `diameter` wide after the last one.
+    /// Whether they are the ways of a mill in a slot.
+    pub const fn of_slot(&self) -> bool {
+        self.along_middle || self.arc_feed_mm_per_min.is_some()
+    }
+
+    /// The diameter after a pass, counted from 1, of a hole or slot that is `diameter` wide after the last one.
     pub fn after(&self, pass: u32, diameter: Micrometres) -> Micrometres {
+        if self.along_middle {
+            let widening = i64::from(self.passes.saturating_sub(1).max(1));
+            let stock = diameter - self.mill_diameter_mm;
+            return self.mill_diameter_mm + stock.ratio(i64::from(pass.saturating_sub(1)), widening);
+        }
         let passes = self.passes.max(1);
         // A thin last pass is not one of the equal ones.
         let finish = self.finish_mm.filter(|_| passes > 1);

@@ -14,7 +14,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::job::{self, Duration, Feeding};
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Note};
-use crate::part::{Hole, Part};
+use crate::part::{Hole, Part, Slot};
 use crate::plan::{Conditions, Feature, HolderRef, Operation, ToolRef, Transition};
 use crate::reason::Reason;
 use crate::route::bores::EdgeCut;
@@ -313,6 +313,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             end: step.place.start + travel - approach,
             approach,
             pitch: step.pitch,
+            slot: self.hole.slot,
             conditions,
         };
         let cycle = job::cycle(&feeding, Micrometres::ZERO, self.shop)?;
@@ -328,6 +329,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
         };
         let main = step.place.feature == Feature::Bore && step.place.step.is_none();
         match step.operation {
+            // It is in the reasons of its route and its passes.
+            _ if self.hole.slot.is_some() => {}
             Operation::Tap => cite(HoleDefault::TapLeadPitches, Note::new("tap-lead").with("lead", self.lead(step)))?,
             Operation::Mill if tool.centre_cutting && (step.levels || tool.diameter >= step.from) => {
                 let note = Note::new("mill-cuts-down").with("percent", self.floor_mill_share * 100.0);
@@ -402,6 +405,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
                     if self.flat_opening_depth().is_some() { Operation::Counterbore } else { Operation::Chamfer };
                 tooling::find_step_drill(&need, wide, pilot, opening, shop)?
             }
+            None if self.hole.slot.is_some() => self.find_slot_mill(step, &need, shop)?,
             None if step.operation == Operation::Mill => self.find_mill(step, &need, shop)?,
             None => tooling::find_tool(&need, shop)?,
         };
@@ -422,6 +426,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
         };
         let own = cutter.diameter + Micrometres::new(1);
         let cut = match step.operation {
+            // It makes its way itself.
+            _ if self.hole.slot.is_some() => Cut { plunges: step.from == Micrometres::ZERO, ..cut },
             // It goes down in the middle and cuts the cone of the drill as far as its own radius.
             Operation::Mill if step.levels => {
                 Cut { from: own, plunges: true, it: cut.it.filter(|_| step.from < step.diameter), ..cut }
@@ -478,6 +484,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             flutes: None,
             around: None,
             plunges: false,
+            slot: self.hole.slot.map(Slot::length),
         }
     }
 }

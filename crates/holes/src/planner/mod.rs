@@ -19,6 +19,7 @@ mod magazine;
 mod names;
 mod nearest;
 mod options;
+mod slots;
 mod sources;
 mod step_drill;
 mod whole;

@@ -22,6 +22,7 @@ use crate::units::{Micrometres, Minutes};
 
 use super::finer::Finer;
 use super::fit::{Fitted, Fitting};
+use super::slots;
 use super::sources::{no_candidate, refused};
 use super::whole::{Finder, edges, rapids_between, smallest_bore};
 
@@ -178,6 +179,9 @@ pub(super) fn options(
     drills: (&[Micrometres], &[DrillSize]),
     shop: &Shop<'_>,
 ) -> Tried<Options> {
+    if hole.slot.is_some() {
+        return slots::options(hole, part, shop);
+    }
     let mut own = options_here(hole, part, preference, drills, shop)?;
     if own.choices.iter().any(Choice::meets_requirements) {
         return Ok(own);

@@ -193,7 +193,7 @@ impl InVice<'_, '_> {
         for (hole, _) in through {
             let widest =
                 hole.steps.iter().map(|step| step.diameter.nominal).fold(hole.diameter.nominal, Micrometres::max);
-            for at in &hole.at {
+            for at in hole.ends() {
                 let (from_jaw, to_end) = match jaws {
                     Along::X => (side(at.y - datum.front, blank.width), (at.x - middle.x).abs()),
                     Along::Y => (side(at.x - datum.left, blank.length), (at.y - middle.y).abs()),

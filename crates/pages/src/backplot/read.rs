@@ -142,7 +142,7 @@ impl<'f> Panel<'f> {
     fn put_on(&mut self, frame: &'f Frame<'_>) {
         let hits = |placed: &Placed| {
             let holes: Vec<DrawingPoint> =
-                placed.holes(frame.part).map(|(at, ..)| (at.x.to_mm(), at.y.to_mm())).collect();
+                placed.holes(frame.part).map(|(way, ..)| (way.from.x.to_mm(), way.from.y.to_mm())).collect();
             let zero = spot(placed.zero);
             let on = |(x, y): &DrawingPoint| {
                 holes.iter().any(|hole| (hole.0 + zero.0 - x).abs() < 0.02 && (hole.1 + zero.1 - y).abs() < 0.02)

@@ -1,6 +1,6 @@
 //! The section of the hole: the plate, the hole before and after, and the levels of the cycle.
 
-use crate::job::{Cycle, CycleKind, ToolWork};
+use crate::job::{Cycle, CycleKind, SlotCycle, ToolWork};
 use crate::part::Hole;
 use crate::plan::{Feature, Operation, Plan, Transition};
 use crate::report::Lang;
@@ -230,7 +230,9 @@ impl<'p> HoleSection<'p> {
             let text = if before {
                 say!(lang, "cycles-before", diameter = diameter)
             } else {
-                format!("Ø{}", mm(diameter, lang))
+                // Of a slot it is the width.
+                let sign = if t.conditions.rounds.is_some_and(|own| own.of_slot()) { "" } else { "Ø" };
+                format!("{sign}{}", mm(diameter, lang))
             };
             let (a, b) = ((self.axis - half, y), (self.axis + half, y));
             canvas.line(&[a, b], pen);
@@ -261,7 +263,9 @@ impl<'p> HoleSection<'p> {
         if self.bottom >= self.low && self.bottom != cycle.end.to_mm() {
             levels.push((self.bottom, say!(lang, "cycles-bottom", z = z(self.bottom))));
         }
-        if let CycleKind::Circles { levels: rounds, .. } = &cycle.kind {
+        if let CycleKind::Circles { levels: rounds, .. } | CycleKind::Slot(SlotCycle { levels: rounds, .. }) =
+            &cycle.kind
+        {
             let rest = rounds.iter().filter(|level| **level != cycle.end).take(6);
             levels.extend(rest.map(|level| (level.to_mm(), mm(*level, lang))));
         }

@@ -1,6 +1,6 @@
 //! The path of the tool through the points 0 to 4.
 
-use crate::job::{Cycle, CycleKind};
+use crate::job::{Cycle, CycleKind, SlotCycle};
 use crate::motion::Sense;
 use crate::report::Lang;
 use crate::report::canvas::{Anchor, At, Canvas, Pen};
@@ -52,6 +52,15 @@ pub(super) fn draw(canvas: &mut Canvas, section: &HoleSection<'_>, cycle: &Cycle
                 for side in [-1.0, 1.0] {
                     canvas.circle((section.axis + side * reach, at), 2.6, WAY, None);
                 }
+            }
+            canvas.line(&[(down, end), (up, end)], FEED);
+        }
+        CycleKind::Slot(slot) => {
+            arrow(canvas, (down, begin), (down, end), FEED);
+            let reach = section.across(slot.widest().to_mm()).max(APART);
+            for level in &slot.levels {
+                let at = y(*level);
+                canvas.line(&[(section.axis - reach, at), (section.axis + reach, at)], FEED);
             }
             canvas.line(&[(down, end), (up, end)], FEED);
         }
@@ -239,5 +248,43 @@ pub(super) fn from_above(
     let shown: Vec<String> = radii.iter().take(4).map(|radius| mm(*radius, lang)).collect();
     let more = if radii.len() > 4 { "; …" } else { "" };
     let text = say!(lang, "cycles-radii", count = radii.len(), radii = format!("{}{more}", shown.join("; ")));
+    canvas.text((middle.0, middle.1 + ABOVE / 2.0 - 6.0), 10.5, Anchor::Middle, &text);
+}
+
+/// The way of a mill in a slot at one level, from above, with the slot laid along the page: the slot, the mill, the path of its
+/// centre.
+pub(super) fn slot_from_above(
+    canvas: &mut Canvas,
+    middle: At,
+    room: f64,
+    slot: &SlotCycle,
+    section: &HoleSection<'_>,
+    lang: Lang,
+) {
+    let t = section.transition;
+    let (width, length) = (t.diameter_mm.to_mm(), slot.run.length().to_mm());
+    let scale = ((ABOVE - 50.0) / width).min(room / (length + width));
+    let half = length / 2.0 * scale;
+    let ends = [(middle.0 - half, middle.1), (middle.0 + half, middle.1)];
+    canvas.slot(ends, width / 2.0 * scale, "#f4f4f4", Some(Pen::solid(INK, 1.6)));
+    if !slot.along_middle {
+        canvas.slot(ends, t.from_diameter_mm.to_mm() / 2.0 * scale, "white", Some(Pen::dashed(GREY, 1.0)));
+    }
+    if slot.along_middle {
+        arrow(canvas, ends[0], ends[1], FEED);
+    }
+    for radius in slot.radii.iter().map(|radius| radius.to_mm() * scale) {
+        canvas.slot(ends, radius, "none", Some(FEED));
+        // On the far wall of the page, in its visible direction.
+        let direction = if slot.sense == Sense::Counterclockwise { -1.0 } else { 1.0 };
+        let top = (middle.0, middle.1 - radius);
+        canvas.head((top.0 - direction * 10.0, top.1), (top.0 + direction * 4.0, top.1), FEED);
+    }
+    if let Some(rounds) = t.conditions.rounds {
+        canvas.circle(ends[0], rounds.mill_diameter_mm.to_mm() / 2.0 * scale, "none", Some(Pen::solid(GREY, 1.0)));
+    }
+    let shown: Vec<String> = slot.radii.iter().take(4).map(|radius| mm(*radius, lang)).collect();
+    let more = if slot.radii.len() > 4 { "; …" } else { "" };
+    let text = say!(lang, "cycles-slot-ways", count = slot.radii.len(), radii = format!("{}{more}", shown.join("; ")));
     canvas.text((middle.0, middle.1 + ABOVE / 2.0 - 6.0), 10.5, Anchor::Middle, &text);
 }

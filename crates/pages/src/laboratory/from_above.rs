@@ -66,12 +66,15 @@ pub(super) fn drawing(part: &Part, lang: Lang) -> String {
     let mut taken: Vec<(At, f64)> = Vec::new();
     for hole in &part.holes {
         let radius = plate.radius(hole);
-        for point in &hole.at {
-            let (x, y) = plate.at(*point);
+        for way in hole.ways() {
+            let ends = [way.from, way.to].map(|end| plate.at(end));
             let arm = radius + 4.0;
-            canvas.line(&[(x - arm, y), (x + arm, y)], AXIS);
-            canvas.line(&[(x, y - arm), (x, y + arm)], AXIS);
-            canvas.circle((x, y), radius, "none", Some(INK));
+            for (x, y) in ends.into_iter().take(if hole.slot.is_some() { 2 } else { 1 }) {
+                canvas.line(&[(x - arm, y), (x + arm, y)], AXIS);
+                canvas.line(&[(x, y - arm), (x, y + arm)], AXIS);
+            }
+            canvas.slot(ends, radius, "none", Some(INK));
+            let [_, (x, y)] = ends;
             let long = width_of(&hole.name, SIZE);
             let place = label((x, y), radius, long, &taken);
             taken.push((place, long));

@@ -143,6 +143,13 @@ pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
     }
 }
 
+/// The width of a slot with its tolerance, and its length over all; none for a round hole.
+pub(crate) fn slot_size(hole: &Hole, lang: Lang) -> Option<String> {
+    let length = hole.slot?.length() + hole.diameter.nominal;
+    let width = lang.figure(&(&hole.diameter).into_figure());
+    Some(say!(lang, "plan-slot-size", width = width.trim_start_matches('Ø'), length = length))
+}
+
 /// Whether a transition reaches that size, so that its own diameter need not be printed.
 pub(crate) fn finishes(hole: &Hole, transition: &Transition) -> bool {
     let own = cylinder(hole, transition).is_some_and(|own| own.nominal == transition.diameter_mm);
@@ -177,6 +184,11 @@ fn step(plan: &Plan, hole: &HolePlan, transition: &Transition, lang: Lang) -> Ve
 /// The content of a transition, as on a route card.
 fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lang) -> String {
     let Some(hole) = hole(plan, &hole_plan.name) else { return String::new() };
+    if let Some(size) = slot_size(hole, lang) {
+        let verb = operation_verb(transition.operation.name(), lang);
+        let (name, size, width) = (hole.name.as_str(), size.as_str(), transition.diameter_mm);
+        return say!(lang, "plan-step-slot", verb = verb, size = size, hole = name, width = width);
+    }
     let key = match transition.operation {
         Operation::CentreDrill => "plan-step-spot",
         // A mill that widens nothing levels the floor.

@@ -48,6 +48,7 @@ tool-of-other-size = { $tool } is Ø{ $own }, but the transition needs Ø{ $need
 holder-of-other-shank = { $holder } does not hold { $tool }: its shank is { $shank }
 # The route.
 audit-hole-not-made = no transition makes the group ({ $count } holes)
+audit-slot-not-checked = it is a slot: its mill, its width and its loads are checked, its passes and speeds are not
 audit-hole-not-made-either = no transition makes the group ({ $count } holes); the program finds no route for it either
 audit-order = { $operation } stands after row { $row } ({ $instead }), but by section 1.1.2 it comes before
 audit-not-opened = the transition leaves Ø{ $diameter }, but the hole is Ø{ $before } already

@@ -27,6 +27,13 @@ cycles-set-bar = Set the boring bar to Ø{ $diameter }
 cycles-speed = S { $speed } rpm
 cycles-feed = F { $feed } mm/min
 cycles-plunge = F { $feed } mm/min down
+cycles-arcs = F { $feed } mm/min on the arcs
+cycles-slot = slot { $size } ({ $hole }) to a width of { $width }
+cycles-slot-ways = { $count ->
+        [0] along the middle of the slot
+        [1] the mill's centre { $radii } mm from the middle line
+       *[other] the mill's centre { $radii } mm from the middle line, one way round each
+    }
 cycles-dwell = dwell { $seconds } s
 cycles-step = step V { $step } mm
 cycles-clearance = clearance W { $clearance } mm

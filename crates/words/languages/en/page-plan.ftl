@@ -42,6 +42,8 @@ plan-step-floor = { $verb } the floor of { $count } { $count ->
     [one] hole
    *[other] holes
 } { $size } ({ $hole }), Ø{ $diameter }
+plan-step-slot = { $verb } slot { $size } ({ $hole }) to a width of { $width }
+plan-slot-size = { $width } × { $length }
 plan-step-within = permitted Ø{ $smallest } to Ø{ $largest }
 plan-step-also = together with Ø{ $diameter }
 plan-step-passes = { $count } { $count ->
@@ -183,6 +185,7 @@ plan-impossible = impossible
 plan-wrong = wrong
 plan-doubtful = doubtful
 plan-note = note
+plan-of-slot = slot { $slot }: { $finding }
 plan-of-hole = hole { $hole }: { $finding }
 # Why a hole is made as it is.
 explain-title = Hole { $hole } { $size }

@@ -48,6 +48,7 @@ tool-of-other-size = { $tool }: Ø{ $own }, а перехід вимагає Ø{
 holder-of-other-shank = { $holder } не тримає { $tool }: його хвостовик – { $shank }
 # The route.
 audit-hole-not-made = групу (отворів – { $count }) не обробляє жоден перехід
+audit-slot-not-checked = це паз: перевірено його фрезу, ширину й навантаження, а робочі ходи і швидкості – ні
 audit-hole-not-made-either = групу (отворів – { $count }) не обробляє жоден перехід; маршруту для неї програма теж не знайшла
 audit-order = { $operation } стоїть після переходу { $row } ({ $instead }), а за 1.1.2 має бути до нього
 audit-not-opened = перехід лишає Ø{ $diameter }, а перед ним уже Ø{ $before }

@@ -40,6 +40,10 @@ no-cutter-shape = { $operation }: фрезу не вказано
 no-pitch = { $operation }: крок різі не вказано
 mill-does-not-enter = { $operation }: фреза Ø{ $diameter } не входить в отвір Ø{ $hole }
 milling-rounds = робочих ходів { $passes }, рівнів { $levels }: t = { $t } мм, B = { $b } мм; шлях осі фрези { $path } мм, її подача × { $factor }
+slot-passes = робочих ходів { $passes }, рівнів { $levels }: t = { $t } мм, B = { $b } мм; шлях осі фрези в пазу { $path } мм
+slot-arc-feed = обходів уздовж стінок { $passes }; на дугах кінців стінка лежить далі за вісь фрези, тож подача осі там – { $percent } % подачі вздовж стінок
+slot-finished = та сама фреза лишає на стінках { $stock } мм і знімає їх ще одним обходом
+slot-milled-at-once = чистового обходу стінки не потребують
 milling-finish-round = останнє коло знімає { $stock } мм на бік: воно чистове
 plunge-feed = униз іде з { $percent } % подачі вздовж стінки
 feed-per-tooth = подача на зуб { $feed } мм

@@ -21,6 +21,13 @@ cycles-set-bar = Налагодити різець борштанги на Ø{ $
 cycles-speed = S { $speed } об/хв
 cycles-feed = F { $feed } мм/хв
 cycles-plunge = F { $feed } мм/хв униз
+cycles-arcs = F { $feed } мм/хв на дугах
+cycles-slot = паза { $size } ({ $hole }) до ширини { $width }
+cycles-slot-ways = { $count ->
+        [0] уздовж середини паза
+        [1] центр фрези на { $radii } мм від середньої лінії
+       *[other] центр фрези на { $radii } мм від середньої лінії, по одному обходу
+    }
 cycles-dwell = витримка { $seconds } с
 cycles-step = крок V { $step } мм
 cycles-clearance = запас W { $clearance } мм

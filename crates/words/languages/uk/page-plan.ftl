@@ -30,6 +30,8 @@ plan-step = { $verb } { $count } отв. { $size } ({ $hole })
 plan-step-to = { $verb } { $count } отв. { $size } ({ $hole }) до Ø{ $diameter }
 plan-step-spot = { $verb } { $count } отв. { $size } ({ $hole }), витримуючи Ø{ $diameter }
 plan-step-floor = { $verb } дно { $count } отв. { $size } ({ $hole }), Ø{ $diameter }
+plan-step-slot = { $verb } паз { $size } ({ $hole }) до ширини { $width }
+plan-slot-size = { $width } × { $length }
 plan-step-within = допускається від Ø{ $smallest } до Ø{ $largest }
 plan-step-also = одночасно Ø{ $diameter }
 plan-step-passes = { $count } { $count ->
@@ -172,6 +174,7 @@ plan-impossible = помилка
 plan-wrong = хибно
 plan-doubtful = сумнівно
 plan-note = зауваження
+plan-of-slot = паз { $slot }: { $finding }
 plan-of-hole = отвір { $hole }: { $finding }
 # Why a hole is made as it is.
 explain-title = Отвір { $hole } { $size }

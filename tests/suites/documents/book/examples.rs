@@ -25,7 +25,7 @@ fn item(text: &str) -> String {
 fn readings(block: &Block) -> Vec<Vec<(&'static str, String)>> {
     let text = block.text();
     let has = |key: &str| block.lines.iter().any(|line| line.starts_with(key));
-    if has("part: ") && has("holes:") {
+    if has("part: ") && (has("holes:") || has("slots:")) {
         return vec![vec![("plan", text)]];
     }
     for (key, command) in [("shaft: ", "turn"), ("route:", "audit"), ("deduct:", "marks"), ("author:", "title")] {

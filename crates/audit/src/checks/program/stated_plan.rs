@@ -258,6 +258,8 @@ impl Making<'_, '_, '_> {
             levels: ours.map_or(1, |ours| ours.levels),
             finish_mm: ours.and_then(|ours| ours.finish_mm),
             plunge_feed_mm_per_min: ours.and_then(|ours| ours.plunge_feed_mm_per_min),
+            arc_feed_mm_per_min: ours.and_then(|ours| ours.arc_feed_mm_per_min),
+            along_middle: ours.is_some_and(|ours| ours.along_middle),
         })
     }
 

@@ -1,8 +1,9 @@
 //! Mills that go down and round, and countersinks that go round an edge.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::part::Slot;
 use crate::plan::Feature;
-use crate::reason::{Reason, Unfit};
+use crate::reason::{CutterFault, Reason, Unfit};
 use crate::route::RouteStep;
 use crate::shop::{Shop, widest_over_hole};
 use crate::tables::holes::HoleDefault;
@@ -66,6 +67,28 @@ impl<'k> Fitting<'_, 'k> {
         Ok(Err(first.unwrap_or_default()))
     }
 
+    /// The mill of a step of a slot: the widest that goes down into metal and leaves stock on its walls. They are finished by the one
+    /// that has roughed them.
+    pub(super) fn find_slot_mill<'s>(
+        &self,
+        step: &RouteStep,
+        need: &CutterNeed<'_>,
+        shop: &'s Shop<'k>,
+    ) -> FoundTool<'s, 'k> {
+        // What another way round takes is left beside it already.
+        let leaves = step.diameter < self.hole.diameter.smallest() || step.entered.is_some();
+        let clearance = if leaves { Micrometres::ZERO } else { self.floor_clearance };
+        let plunges = Some(Plunging { widest: Micrometres::ZERO, without_middle: Micrometres::ZERO });
+        let enters = step.entered.unwrap_or(step.diameter);
+        let found = tooling::find_tool(&CutterNeed { enters, clearance, plunges, ..*need }, shop)?;
+        // Of end mills nobody expects it: what keeps a slot mill out is the reason.
+        let no_teeth = |why: &Unfit| matches!(why, Unfit::Cutter { fault: CutterFault::NoTeethInMiddle { .. }, .. });
+        Ok(found.map_err(|mut reasons| {
+            reasons.sort_by_key(no_teeth);
+            reasons
+        }))
+    }
+
     /// How wide a mill may be that cuts its way down over a hole: so that its circles are not so small that its centre hardly
     /// moves, and where its teeth do not reach its middle, so that this lies over the hole.
     pub(super) fn plunging(&self, step: &RouteStep, share: f64) -> Plunging {
@@ -77,12 +100,16 @@ impl<'k> Fitting<'_, 'k> {
     /// Checks that the circularity error of a milled cylinder takes no more than its share of the tolerance.
     pub(super) fn round_enough(&self, step: &RouteStep) -> Tried<()> {
         let Some(roundness) = self.shop.machine.roundness else { return Ok(()) };
+        // The walls of a slot along an axis are straight by that axis alone; its round ends have no tolerance of their own.
+        if self.hole.slot.is_some_and(Slot::along_axis) {
+            return Ok(());
+        }
         let required = match step.place.step {
             Some(number) => self.hole.steps.get(number - 1).map(|step| &step.diameter),
             None => Some(&self.hole.diameter).filter(|_| step.place.feature == Feature::Bore),
         };
         let Some(required) = required else { return Ok(()) };
-        if self.shop.aimed(required)? != step.diameter {
+        if self.hole.slot.is_none() && self.shop.aimed(required)? != step.diameter {
             return Ok(());
         }
         let share = self.shop.share(HoleDefault::MilledRoundnessShare)?;

@@ -6,7 +6,7 @@ use super::cuts::{Descent, TOLERANCE, same_position};
 use super::matching::{Matched, TaskIndex};
 use super::tools::Tools;
 use super::walk::{Event, TipMotion, TipMove};
-use super::{Code, DeviationFigure, Name, ObservedCuts, ProgramFinding, ProofInput, StopTask, milled};
+use super::{Code, DeviationFigure, Name, ObservedCuts, ProgramFinding, ProofInput, StopTask, milled, slotted};
 use crate::job::{Cycle, CycleKind};
 use crate::motion::Turning;
 use crate::note::Severity;
@@ -57,6 +57,7 @@ pub(super) fn all(
         tap(&say, made, input, findings);
         match &task.cycle.kind {
             CycleKind::Circles { levels, radii, sense, .. } => milled::circles(&say, levels, radii, *sense, findings),
+            CycleKind::Slot(slot) => slotted::slot(&say, slot, mill(&say, input), findings),
             _ => {
                 milled::check_no_circles(&say, findings);
                 steps(&say, input, findings);
@@ -103,6 +104,12 @@ impl CutAtStop<'_, '_> {
     ) -> ProgramFinding {
         self.finding(code, severity).with(Name::Made, made).with(Name::Needed, needed)
     }
+}
+
+/// The diameter of the mill that makes a stop.
+fn mill(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>) -> Micrometres {
+    let tool = input.plan.tools.iter().find(|tool| tool.number == say.task.tool.tool);
+    tool.map_or(say.task.transition.tool.diameter_mm, |tool| tool.diameter_mm)
 }
 
 /// Motions that no tool may make inside the part: across at rapid, or down at rapid.
@@ -262,9 +269,16 @@ fn conditions(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Ve
         findings.push(say.figure(Code::OtherSpeed, severity, made.speed, cycle.speed_rpm.0));
     }
     // A mill that cuts on its way down has a feed of its own there.
-    let plunge = match cycle.kind {
-        CycleKind::Circles { plunge_mm_per_min, .. } => plunge_mm_per_min,
+    let plunge = match &cycle.kind {
+        CycleKind::Circles { plunge_mm_per_min, .. } => *plunge_mm_per_min,
+        CycleKind::Slot(slot) => slot.plunge_mm_per_min,
         _ => None,
+    };
+    // So has one on the arcs of a slot, where its teeth are faster at the wall than its middle.
+    let along = cycle.feed_mm_per_min.0;
+    let needed = |made: &TipMove| match &cycle.kind {
+        CycleKind::Slot(slot) if matches!(made.motion, TipMotion::Round { .. }) => slot.arc_mm_per_min.0,
+        _ => along,
     };
     // The feed per tooth grows when the spindle is slower, even if each figure alone is acceptable; and where the
     // spindle is proportionally faster, a faster feed does not load the tooth more.
@@ -282,13 +296,15 @@ fn conditions(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Ve
             findings.push(say.figure(Code::OtherFeed, Severity::Doubtful, feed, plunge.0));
         }
     }
-    let mut feeds = cut.cutting().filter(|made| !plunges(made)).filter_map(TipMove::feed);
-    if let Some(feed) = feeds.find(|feed| other(*feed, cycle.feed_mm_per_min.0)) {
-        let beyond = feed > cycle.feed_mm_per_min.0 * most && (made > planned * most || made == 0.0);
+    let mut feeds = cut.cutting().filter(|made| !plunges(made)).filter_map(|made| Some((made.feed()?, needed(made))));
+    if let Some((feed, needed)) = feeds.find(|(feed, needed)| other(*feed, *needed)) {
+        // On an arc the load of a tooth follows the wall, whatever the feed along the slot.
+        let loaded = needed < along || made > planned * most || made == 0.0;
+        let beyond = feed > needed * most && loaded;
         // So slow a feed is another unit, feed per turn for one, and no choice: the tool rubs.
-        let rubs = feed * input.tolerated.overlong < cycle.feed_mm_per_min.0;
+        let rubs = feed * input.tolerated.overlong < needed;
         let severity = if beyond || rubs { Severity::Wrong } else { Severity::Doubtful };
-        findings.push(say.figure(Code::OtherFeed, severity, feed, cycle.feed_mm_per_min.0));
+        findings.push(say.figure(Code::OtherFeed, severity, feed, needed));
     }
     // A tap cannot choose: the feed of a turn is the pitch of its thread.
     let off_pitch = match cycle.kind {
@@ -390,7 +406,7 @@ fn way_out(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<P
         }
         _ => {
             // A drill that clears its chips is drawn back at rapid, too; a mill goes on to its next depth.
-            let mills = matches!(cycle.kind, CycleKind::Circles { .. });
+            let mills = matches!(cycle.kind, CycleKind::Circles { .. } | CycleKind::Slot(_));
             let back = cut.moves.iter().filter(|made| !mills && made.moves() && made.to[2] > made.from[2]);
             if let Some(feed) = moves.iter().copied().chain(back).find_map(|made| made.feed()) {
                 findings.push(say.finding(Code::OutAtFeed, Severity::Note).with(Name::Made, feed));

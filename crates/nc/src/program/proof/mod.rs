@@ -25,6 +25,7 @@ mod matching;
 mod milled;
 mod obstacles;
 mod planned_job;
+mod slotted;
 mod tools;
 mod walk;
 

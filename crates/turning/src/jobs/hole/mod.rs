@@ -318,6 +318,7 @@ fn cut(
         pitch: None,
         around: None,
         plunges: false,
+        slot: None,
         cutter: None,
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::job::{Cycle, CycleKind};
+use crate::job::{Cycle, CycleKind, SlotCycle, SlotMotion};
 use crate::motion::Sense;
 use crate::units::{Micrometres, MillimetresPerMinute, Seconds};
 
@@ -21,8 +21,8 @@ pub(super) fn fixed(cycle: &Cycle, incremental: bool, form: Form) -> Block {
         CycleKind::Peck { step, clearance } => (83, Some((*step, *clearance))),
         CycleKind::ChipBreak { step, retreat } => (86, Some((*step, *retreat))),
         CycleKind::Tap { .. } => (84, None),
-        // Milled circles are no fixed cycle: `contour` writes them.
-        CycleKind::Drill | CycleKind::Circles { .. } => (81, None),
+        // Milled circles and slots are no fixed cycles: `contour` and `slot` write them.
+        CycleKind::Drill | CycleKind::Circles { .. } | CycleKind::Slot(_) => (81, None),
     };
     let mut text = format!("G{code} U{u} Z{z} I{i}");
     // Writing to a text cannot fail.
@@ -96,4 +96,30 @@ fn circles(radii: &[Micrometres], sense: Sense, form: Form, mut feed: Option<f64
     }
     blocks.push(Block::new().g(1).axis('X', -at));
     blocks
+}
+
+/// The way of a mill through a slot, in increments from its point.
+pub(super) fn slot(cycle: &Cycle, slot: &SlotCycle, sheet: &mut ProgramWriter, place: BlockPurpose) -> BlockGroup {
+    let form = sheet.form;
+    let code = match slot.sense {
+        Sense::Clockwise => 2,
+        Sense::Counterclockwise => 3,
+    };
+    let mut blocks = vec![Block::new().g(90).g(0).axis('Z', form.grid(cycle.begin))];
+    let (mut at, mut fed) = ([Micrometres::ZERO; 2], None);
+    for made in Cycle::slot_path(slot, form.resolution) {
+        let step = |block: Block| block.axis('X', made.to[0] - at[0]).axis('Y', made.to[1] - at[1]);
+        let block = match made.motion {
+            SlotMotion::Down(level) => Block::new().g(90).g(1).axis('Z', level),
+            SlotMotion::Across => step(Block::new().g(91).g(1)),
+            SlotMotion::Half(centre) => {
+                step(Block::new().g(91).g(code)).axis('I', centre[0] - at[0]).axis('J', centre[1] - at[1])
+            }
+        };
+        let feed = slot.feed_of(made.motion, cycle.feed_mm_per_min).0;
+        blocks.push(if fed == Some(feed) { block } else { block.word('F', feed) });
+        (at, fed) = (made.to, Some(feed));
+    }
+    blocks.push(Block::new().g(90).g(0).axis('Z', form.grid(cycle.out)));
+    sheet.subprogram(blocks, place)
 }

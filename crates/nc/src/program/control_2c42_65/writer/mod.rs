@@ -142,8 +142,14 @@ fn put_run(
 ) {
     let Some(cycle) = work.cycles.get(run.cycle) else { return };
     let form = sheet.form;
-    if let CycleKind::Circles { plunge_mm_per_min, levels, radii, sense } = &cycle.kind {
-        let contour = cycle::contour(cycle, (levels, radii, *sense), *plunge_mm_per_min, sheet, place);
+    let contour = match &cycle.kind {
+        CycleKind::Circles { plunge_mm_per_min, levels, radii, sense } => {
+            Some(cycle::contour(cycle, (levels, radii, *sense), *plunge_mm_per_min, sheet, place))
+        }
+        CycleKind::Slot(slot) => Some(cycle::slot(cycle, slot, sheet, place)),
+        _ => None,
+    };
+    if let Some(contour) = contour {
         sheet.call(&contour, None, place);
         for block in &run.blocks {
             sheet.call(&contour, Some(block.clone()), BlockPurpose { role: LineRole::Point, ..place });

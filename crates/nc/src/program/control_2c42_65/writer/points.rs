@@ -37,7 +37,7 @@ const SUBPROGRAM: usize = 22;
 
 /// Whether it is a cycle of the control, which runs at every point until it is cancelled.
 pub(super) const fn is_fixed(cycle: &Cycle) -> bool {
-    !matches!(cycle.kind, CycleKind::Circles { .. })
+    !matches!(cycle.kind, CycleKind::Circles { .. } | CycleKind::Slot(_))
 }
 
 /// The runs of a tool, in order.

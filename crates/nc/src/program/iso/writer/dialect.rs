@@ -186,8 +186,8 @@ const fn fixed(cycle: &Cycle) -> (u32, Option<Micrometres>) {
         (job::CycleKind::Peck { step, .. }, _) => (83, Some(*step)),
         (job::CycleKind::ChipBreak { step, .. }, _) => (73, Some(*step)),
         (job::CycleKind::Tap { .. }, _) => (84, None),
-        // Milled circles are no fixed cycle: `tool` writes them.
-        (job::CycleKind::Drill | job::CycleKind::Circles { .. }, None) => (81, None),
-        (job::CycleKind::Drill | job::CycleKind::Circles { .. }, Some(_)) => (82, None),
+        // Milled circles and slots are no fixed cycles: `tool` writes them.
+        (job::CycleKind::Drill | job::CycleKind::Circles { .. } | job::CycleKind::Slot(_), None) => (81, None),
+        (job::CycleKind::Drill | job::CycleKind::Circles { .. } | job::CycleKind::Slot(_), Some(_)) => (82, None),
     }
 }

@@ -1,6 +1,6 @@
 //! One tool: the spindle, the approach, its cycles and its points.
 
-use crate::job::{self, Cycle, Job, Stop, ToolWork};
+use crate::job::{self, Cycle, Job, SlotCycle, SlotMotion, Stop, ToolWork};
 use crate::motion::Sense;
 use crate::part::Point;
 use crate::program::block::Block;
@@ -19,7 +19,8 @@ pub(super) fn shared_points(job: &Job, form: Form, dialect: Dialect<'_>) -> Shar
     let mut counts = Shared::new();
     for work in job.setups.iter().flat_map(|setup| &setup.works) {
         for (cycle, stops) in runs(work) {
-            if !matches!(cycle.kind, job::CycleKind::Circles { .. }) && !dialect.feeds_beyond(cycle) {
+            let along = matches!(cycle.kind, job::CycleKind::Circles { .. } | job::CycleKind::Slot(_));
+            if !along && !dialect.feeds_beyond(cycle) {
                 *counts.entry(further(stops, form, dialect)).or_insert(0) += 1;
             }
         }
@@ -78,19 +79,26 @@ impl ProgramWriter<'_> {
             match &cycle.kind {
                 job::CycleKind::Circles { plunge_mm_per_min, levels, radii, sense } => {
                     let contour = contour(cycle, (levels, radii, *sense), *plunge_mm_per_min, dialect, form);
-                    let contour = self.subprogram(contour, place);
-                    self.call(contour, LineRole::Cycle, place, number);
-                    for block in further(stops, form, dialect) {
-                        self.push_block(block.g(0), LineRole::Point, place, number);
-                        self.call(contour, LineRole::Cycle, place, number);
-                    }
+                    self.at_each(contour, stops, place);
                 }
+                job::CycleKind::Slot(slot) => self.at_each(slot_ways(cycle, slot, dialect, form), stops, place),
                 // Left out of the job (`Language::leave`): a thread cannot be cut by a feed that the spindle does not follow.
                 job::CycleKind::Tap { .. } if !dialect.has(cycle) => {}
                 _ if dialect.feeds_beyond(cycle) => self.one_by_one(cycle, stops, place),
                 _ if dialect.has(cycle) => self.fixed(cycle, to, stops, place, shared),
                 _ => self.expanded(cycle, stops, place),
             }
+        }
+    }
+
+    /// Motions in increments as a subprogram, called at each point.
+    fn at_each(&mut self, motions: Vec<Block>, stops: &[Stop], place: Option<WorkRef>) {
+        let number = stops.first().map(|stop| stop.cycle);
+        let motions = self.subprogram(motions, place);
+        self.call(motions, LineRole::Cycle, place, number);
+        for block in further(stops, self.form, self.dialect) {
+            self.push_block(block.g(0), LineRole::Point, place, number);
+            self.call(motions, LineRole::Cycle, place, number);
         }
     }
 
@@ -183,5 +191,32 @@ fn contour(
         blocks.push(Block::new().g(1).word('X', dialect.length(-at)));
     }
     blocks.push(Block::new().g(90).g(0).word('Z', length(cycle.out)));
+    blocks
+}
+
+/// The way of a mill through a slot, in increments from its point.
+fn slot_ways(cycle: &Cycle, slot: &SlotCycle, dialect: Dialect<'_>, form: Form) -> Vec<Block> {
+    let length = |value: Micrometres| dialect.length(value);
+    let code = match slot.sense {
+        Sense::Clockwise => 2,
+        Sense::Counterclockwise => 3,
+    };
+    let mut blocks = vec![Block::new().g(90).g(0).word('Z', length(form.grid(cycle.begin)))];
+    let (mut at, mut fed) = ([Micrometres::ZERO; 2], None);
+    for made in Cycle::slot_path(slot, form.resolution) {
+        let [x, y] = [made.to[0] - at[0], made.to[1] - at[1]].map(length);
+        let block = match made.motion {
+            SlotMotion::Down(level) => Block::new().g(90).g(1).word('Z', length(level)),
+            SlotMotion::Across => Block::new().g(91).g(1).word('X', x).word('Y', y),
+            SlotMotion::Half(centre) => {
+                let [i, j] = [centre[0] - at[0], centre[1] - at[1]].map(length);
+                Block::new().g(91).g(code).word('X', x).word('Y', y).word('I', i).word('J', j)
+            }
+        };
+        let feed = slot.feed_of(made.motion, cycle.feed_mm_per_min);
+        blocks.push(if fed == Some(feed.0) { block } else { block.word('F', dialect.feed(feed)) });
+        (at, fed) = (made.to, Some(feed.0));
+    }
+    blocks.push(Block::new().g(90).g(0).word('Z', length(form.grid(cycle.out))));
     blocks
 }

@@ -1,0 +1,222 @@
+//! The slots of a part file.
+
+use crate::knowledge::diagnostic::Place;
+use crate::knowledge::yaml::{Fields, Node};
+use crate::units::Micrometres;
+use technolog_note::note;
+
+use super::check::{BoreSpan, Centres, Group};
+use super::file::slot as form;
+use super::limits::LimitedCount;
+use super::read::Reader;
+use super::read_pattern::Turn;
+use super::{Blank, BlankHole, Bottom, Hole, Point, Slot};
+
+/// How the file says where a slot runs.
+enum Run {
+    /// By the middles of its end radii.
+    Ends(Point, Point),
+    /// By its middle, its length over all and its direction.
+    Middle(Point, Micrometres, Turn),
+}
+
+impl Run {
+    /// The middle of its first end radius, and how it runs on from there; none where it is no longer than wide.
+    fn placed(self, width: Micrometres) -> Option<(Point, Slot)> {
+        let (from, to) = match self {
+            Self::Ends(from, to) => (from, to),
+            Self::Middle(middle, length, _) if length <= width => (middle, middle),
+            Self::Middle(middle, length, turn) => {
+                let half = (length - width).to_mm() / 2.0;
+                (turn.place(middle, -half, 0.0), turn.place(middle, half, 0.0))
+            }
+        };
+        (from != to).then(|| (from, Slot { x: to.x - from.x, y: to.y - from.y }))
+    }
+}
+
+impl Reader<'_> {
+    /// The slots as groups of one hole each, which runs on.
+    pub(super) fn slots(&mut self, node: &Node, blank: Option<&Blank>) -> Vec<Group> {
+        let items = self.problems.list(node).unwrap_or_default();
+        self.bounded(LimitedCount::Kinds, items).iter().filter_map(|item| self.slot(item, blank)).collect()
+    }
+
+    fn slot(&mut self, node: &Node, blank: Option<&Blank>) -> Option<Group> {
+        let mut fields = self.problems.map(node)?;
+        let place = fields.place;
+        let name_node = fields.need(form::Slot::name, self.problems);
+        let name = name_node.and_then(|node| self.name(node));
+        let run = self.run(&mut fields);
+        let width_node = fields.need(form::Slot::width, self.problems);
+        let width = width_node.and_then(|node| self.diameter(node));
+        let through = match fields.take(form::Slot::through) {
+            Some(node) => self.problems.boolean(node),
+            None => (!fields.means(form::Slot::through)).then_some(false),
+        };
+        let depth_node = fields.take(form::Slot::depth);
+        let depth = match (depth_node, through, blank) {
+            (Some(node), ..) => self.positive(node, "depth"),
+            (None, Some(true), Some(blank)) => Some(blank.thickness),
+            (None, Some(false), _) => {
+                self.problems.missing(form::Slot::depth, place, note!("part-slot-has-depth-or-goes-through"))
+            }
+            _ => None,
+        };
+        let roughness = fields.need(form::Slot::roughness, self.problems).and_then(|node| self.roughness(node));
+        let tolerance_node = fields.need(form::Slot::centre_tolerance, self.problems);
+        let centre_tolerance = tolerance_node.and_then(|node| self.centre_tolerance(node));
+        fields.finish(self.problems);
+
+        let (at, slot) = match (run, &width) {
+            (Some(run), Some(width)) => match run.placed(width.nominal) {
+                Some((at, slot)) => (Some(at), Some(slot)),
+                None => {
+                    let message =
+                        note!("part-slot-is-a-hole", name = name.as_deref().unwrap_or("?"), width = width.nominal);
+                    return self.problems.error_help("bad-value", message, place, note!("part-slot-length-over-all"));
+                }
+            },
+            _ => (None, None),
+        };
+        let end = depth.unwrap_or(BoreSpan::FAR);
+        let spans = width.iter().map(|width| BoreSpan::new(width.nominal, Micrometres::ZERO, end)).collect();
+        let mut group = Group {
+            name: name.clone().zip(name_node.map(|node| node.place.clone())),
+            spans,
+            depth: depth.zip(depth_node.map(|node| node.place.clone())),
+            through,
+            at: Some(Centres { place: place.clone(), pattern: false }),
+            points: at.into_iter().map(|at| (at, place.clone())).collect(),
+            slot: Some(slot.unwrap_or_default()),
+            hole: None,
+        };
+        if let (Some(name), Some(diameter), Some(through), Some(depth)) = (name, width, through, depth)
+            && let (Some(roughness), Some(centre_tolerance)) = (roughness, centre_tolerance)
+            && let (Some(at), Some(slot)) = (at, slot)
+        {
+            group.hole = Some(Hole {
+                name,
+                diameter,
+                depth,
+                through,
+                // A mill leaves it so.
+                bottom: Bottom::Flat,
+                roughness,
+                centre_tolerance,
+                chamfer: None,
+                skin: false,
+                thread: None,
+                cone: None,
+                counterbore: None,
+                countersink: None,
+                face: None,
+                groove: None,
+                state: BlankHole::Solid,
+                outer_wall: false,
+                steps: Vec::new(),
+                slot: Some(slot),
+                at: vec![at],
+            });
+        }
+        Some(group)
+    }
+
+    /// Where it runs: said in one of two ways, and not in both.
+    fn run(&mut self, fields: &mut Fields<'_, form::Slot>) -> Option<Run> {
+        let by_ends = [form::Slot::from, form::Slot::to].map(|key| fields.means(key)) != [false; 2];
+        let place: &Place = fields.place;
+        if !by_ends && ![form::Slot::centre, form::Slot::length].iter().any(|key| fields.means(*key)) {
+            return self.problems.missing(form::Slot::from, place, note!("part-slot-runs-somewhere"));
+        }
+        if by_ends {
+            let foreign = [form::Slot::centre, form::Slot::length, form::Slot::angle];
+            let said: Vec<(&str, &Node)> =
+                foreign.into_iter().filter_map(|key| Some((key.name(), fields.take(key)?))).collect();
+            let from = fields.need(form::Slot::from, self.problems).and_then(|node| self.point(node));
+            let to = fields.need(form::Slot::to, self.problems).and_then(|node| self.point(node));
+            if let Some((key, node)) = said.first() {
+                let message = note!("part-slot-run-said-twice", key = *key);
+                return self.problems.error_help("bad-value", message, &node.place, note!("part-keep-one-them"));
+            }
+            return Some(Run::Ends(from?, to?));
+        }
+        let centre = fields.need(form::Slot::centre, self.problems).and_then(|node| self.point(node));
+        let length = self.need_size(fields, form::Slot::length);
+        let angle = self.direction(fields, form::Slot::angle);
+        Some(Run::Middle(centre?, length?, Turn::of_degrees(angle?)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::part::{Part, Point, Slot, read_part};
+    use crate::shipped;
+    use crate::units::Micrometres;
+
+    fn read(run: &str, more: &str) -> Result<Part, Vec<String>> {
+        let text = format!(
+            "part: P
+material: steel-45
+blank: {{kind: plate, length: 200, width: 100, thickness: 20}}
+machine: gf2171
+{more}
+slots:
+  - {{name: S, {run}, roughness: Ra 12.5, centre_tolerance: 0.4}}
+"
+        );
+        let knowledge = shipped::knowledge().unwrap();
+        read_part("part", &text, &knowledge).map_err(|problems| {
+            let say = |note: &crate::note::Note| technolog_words::Lang::EN.say(note);
+            problems.iter().map(|problem| problem.text(say)).collect()
+        })
+    }
+
+    #[test]
+    fn both_ways_to_write_a_slot_say_the_same() {
+        let mm = |mm: i64| Micrometres::from_mm(mm);
+        let slot = |run: &str| {
+            let part = read(&format!("{run}, width: 12H12, depth: 8"), "").unwrap();
+            (part.holes[0].at[0], part.holes[0].slot.unwrap())
+        };
+        let lies = (Point { x: mm(-20), y: mm(10) }, Slot { x: mm(40), y: mm(0) });
+        assert_eq!(slot("from: [-20, 10], to: [20, 10]"), lies);
+        assert_eq!(slot("centre: [0, 10], length: 52"), lies, "the length is over all");
+        let stands = (Point { x: mm(0), y: mm(-10) }, Slot { x: mm(0), y: mm(20) });
+        assert_eq!(slot("centre: [0, 0], length: 32, angle: 90"), stands);
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_slot_is_told_once_each() {
+        let hole = |at: &str| {
+            format!(
+                "holes:\n  - {{name: A, diameter: 10, through: true, roughness: Ra 12.5, centre_tolerance: 0.4, at: [{at}]}}"
+            )
+        };
+        for (run, more, words) in [
+            ("from: [0, 0], to: [40, 0], angle: 30, width: 12, depth: 5", "", "both by `from` and `to` and by `angle`"),
+            ("from: [0, 0], width: 12, depth: 5", "", "`to`"),
+            ("width: 12, depth: 5", "", "`from`"),
+            ("centre: [0, 0], length: 12, width: 12, depth: 5", "", "is a round hole"),
+            ("from: [0, 0], to: [0, 0], width: 12, depth: 5", "", "is a round hole"),
+            ("from: [0, 0], to: [96, 0], width: 12, depth: 5", "", "is not inside the blank"),
+            ("from: [0, 0], to: [40, 0], width: 12", "", "`depth`"),
+            ("from: [0, 0], to: [40, 0], width: 12, depth: 20", "", "blind"),
+            ("from: [0, 0], to: [40, 0], width: 12, depth: 5", &hole("[20, 10]"), "slot S runs into hole A"),
+            (
+                "from: [0, 0], to: [40, 0], width: 12, depth: 5",
+                "fixture: {clamps: [{at: [20, 5]}, {at: [-90, 0]}]}",
+                "presses on slot S",
+            ),
+            (
+                "from: [0, 0], to: [40, 0], width: 12, depth: 5",
+                "dimensions: [{from: left, to: S, tolerance: 0.2}]",
+                "dimension of a slot",
+            ),
+        ] {
+            let problems = read(run, more).unwrap_err();
+            assert!(problems.len() == 1 && problems[0].contains(words), "{run} {more}: {problems:?}");
+        }
+        assert!(read("from: [0, 0], to: [40, 0], width: 12, depth: 5", &hole("[20, 11]")).is_ok(), "they touch");
+    }
+}

@@ -1,0 +1,88 @@
+//! The ways of an end mill in a slot: along its middle in solid metal, then round along its walls.
+
+use crate::error::KnowledgeError;
+use crate::note::{Because, Note};
+use crate::plan;
+use crate::shop::Shop;
+use crate::tables::cutting::{MillingDepth, MillingStep};
+use crate::tables::rules::PlungeFeedFor;
+use crate::units::{Micrometres, round_to};
+
+use super::milling::{Rounds, parts};
+use super::{AnotherFeed, Cut, CutterShape};
+
+/// The passes of one slot that is `length` long between the middles of its end radii.
+///
+/// In solid metal the first pass goes along the middle: t = D, the whole mill stands in the metal, and a level is no deeper than
+/// the row `slot` of `milling-depth`. The passes that widen it take no more than the row `radial`. Where the slot is there already,
+/// only they are left, and a level is as deep as in a hole. The path of all levels, mm, beside the way down:
+///
+/// - along the middle: length in every level, each from the end where the one above it ended, and once more where their number is
+///   odd: the mill comes out where it went in;
+/// - round along the walls: 2·length straight, 2·π·r on the two arcs with r = (d - D)/2, d the width of the pass;
+/// - out to the walls of a level and back: 2·r of its last pass.
+///
+/// Along a wall the middle of the mill is as fast as its teeth there. On an arc the wall lies further out, and the middle is fed by
+/// r/(r + D/2) of that: by the share of the first, narrowest pass.
+pub(super) fn rounds(
+    cut: &Cut,
+    mill: CutterShape,
+    length: Micrometres,
+    shop: &Shop<'_>,
+) -> Result<(Rounds, Vec<Because>), KnowledgeError> {
+    let step = |step: MillingStep| shop.knowledge.need(step.name(), |row: &MillingDepth<'_>| row.name == step);
+    let solid = cut.from == Micrometres::ZERO;
+    let (d, width, along) = (mill.diameter.to_mm(), cut.diameter.to_mm(), length.to_mm());
+    let radial = step(MillingStep::Radial)?;
+    let axial = step(if solid { MillingStep::Slot } else { MillingStep::Axial })?;
+    let before = if solid { d } else { cut.from.to_mm() };
+    let stock = (width - before) / 2.0;
+    let widening = if stock > 0.0 { parts(stock, radial.share * d) } else { 0 };
+    let levels = parts(cut.depth.to_mm(), mill.cutting_length.to_mm().min(axial.share * d));
+
+    let each = f64::from(levels);
+    let radius = |pass: u32| (before + 2.0 * stock * f64::from(pass) / f64::from(widening) - d) / 2.0;
+    let on_arcs: f64 = (1..=widening).map(|pass| 2.0 * std::f64::consts::PI * radius(pass)).sum();
+    let out = if widening > 0 { 2.0 * radius(widening) } else { 0.0 };
+    let middle = if solid { each * along + f64::from(levels % 2) * along } else { 0.0 };
+    let straight = middle + each * (f64::from(widening) * 2.0 * along + out);
+    let arcs = (widening > 0).then(|| {
+        let first = radius(1);
+        AnotherFeed { share: first / (first + d / 2.0), travel: each * on_arcs }
+    });
+
+    let radial_depth = if solid { d } else { stock / f64::from(widening.max(1)) };
+    let axial_depth = cut.depth.to_mm() / each;
+    let passes = widening + u32::from(solid);
+    let note = Note::new("slot-passes")
+        .with("passes", passes)
+        .with("levels", levels)
+        .with("t", round_to(radial_depth, 3))
+        .with("b", round_to(axial_depth, 3))
+        .with("path", round_to(straight + each * on_arcs, 1));
+    let mut because = vec![Because::row(axial.row, note)];
+    because.extend(arcs.map(|arcs| {
+        let note = Note::new("slot-arc-feed").with("passes", widening).with("percent", round_to(arcs.share * 100.0, 1));
+        Because::row(radial.row, note)
+    }));
+    let (mut path, mut plunge) = (straight, None);
+    if solid {
+        let material_group = shop.material.group;
+        let row = shop.knowledge.ask(&PlungeFeedFor { material_group })?.need(material_group)?;
+        plunge = Some(AnotherFeed { share: row.share, travel: cut.travel.to_mm() });
+        because.push(Because::row(row.row, Note::new("plunge-feed").with("percent", round_to(row.share * 100.0, 0))));
+    } else {
+        path += cut.travel.to_mm();
+    }
+    let planned = plan::Rounds {
+        from_diameter_mm: if solid { mill.diameter } else { cut.from },
+        mill_diameter_mm: mill.diameter,
+        passes,
+        levels,
+        finish_mm: None,
+        plunge_feed_mm_per_min: None,
+        arc_feed_mm_per_min: None,
+        along_middle: solid,
+    };
+    Ok((Rounds { radial_depth, axial_depth, centre_share: 1.0, path, planned, plunge, arcs }, because))
+}
