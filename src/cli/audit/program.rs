@@ -57,7 +57,7 @@ pub fn read(
     let text = context.text(asked.path)?;
     let machine = asked.part.map_or(MACHINE, |part| part.machine.as_str());
     let machine = control::machine(machine, knowledge, context)?;
-    let control = control::chosen(asked.control, &machine, knowledge, context)?;
+    let control = control::chosen(asked.control, Some(&machine), knowledge, context)?;
     let language = Language::read(control, knowledge).map_err(at_fault)?;
     let setting = match asked.setting {
         None => None,

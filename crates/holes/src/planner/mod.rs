@@ -29,7 +29,7 @@ use crate::knowledge::Knowledge;
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Figure, Finding, Note, Severity, doubtful_row};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Clamping, CuttingMethod, Feature, HolePlan, Operation, Plan, Preference, Route, Setup, Times};
+use crate::plan::{Clamping, CuttingMethod, Feature, Plan, Preference, Route, Setup, Times};
 use crate::route::Remark;
 use crate::shop::Shop;
 use crate::tables::cutting::Process;

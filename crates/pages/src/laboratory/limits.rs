@@ -56,7 +56,7 @@ pub(super) fn section(page: &mut Document, own: &Sources<'_>, machine: &Machine<
     };
     page.paragraph(lang.word(key));
     findings_of_errors(page, plan, lang);
-    own.of_program().for_each(|finding| finding_of(page, finding, lang));
+    own.of_program().for_each(|finding| finding_of(page, plan, finding, lang));
     page.push(Block::List(own.left.iter().map(|left| Inlines::sentence(left).into()).collect()));
 }
 
