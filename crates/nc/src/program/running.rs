@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::alone::{Habits, Watch};
 use super::limits::{Spans, without_zero};
-use super::{Call, Fault, TextSpan};
+use super::{Call, Fault, TextSpan, stay};
 use crate::motion::{MotionStep, Sink};
 
 /// The most blocks and steps of a check: nested repeats might never end.
@@ -108,7 +108,9 @@ impl<'a, S: Sink> Running<'a, S> {
         for (system, axes) in without_zero(&self.spans) {
             self.report((self.breach)("zero-not-set", first, None).with("system", system).with("axes", axes));
         }
-        if !self.faults.iter().any(Fault::is_error) {
+        if self.faults.iter().any(Fault::is_error) {
+            self.faults.retain(|fault| !stay::TOLD.contains(&fault.code));
+        } else {
             for (block, code, note) in self.watch.clone().finish() {
                 let span = TextSpan { line: block.line, column: 1, width: 1 };
                 let mut fault = (self.breach)(code, span, block.number);

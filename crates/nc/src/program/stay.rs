@@ -5,6 +5,10 @@ use crate::motion::{Motion, Position, Turning};
 use crate::program::limits::Floating;
 use crate::units::Micrometres;
 
+/// What is told of the heights. A run with an error has left out what that block says, and the tool stands elsewhere then.
+pub(super) const TOLD: [&str; 6] =
+    ["rapid-from-hole", "rapid-at-depth", "change-low", "change-low-maybe", "change-not-withdrawn", "ends-in-cut"];
+
 /// A cut that the tool has not yet left upwards.
 #[derive(Clone, Copy, Debug)]
 struct Cut {
@@ -26,6 +30,8 @@ pub(super) struct Stay {
     /// By which zero the heights count: heights by different ones cannot be compared.
     floating: Floating,
     highest: Micrometres,
+    /// Whether it has come down to the work: its first way down is that, at feed too.
+    arrived: bool,
     cut: Option<Cut>,
     /// The highest level below which it has cut.
     cuts_below: Option<Micrometres>,
@@ -34,7 +40,7 @@ pub(super) struct Stay {
 impl Stay {
     /// A tool that comes into the spindle.
     pub const fn comes(at: Position, floating: Floating) -> Self {
-        Self { floating, highest: at.z, cut: None, cuts_below: None }
+        Self { floating, highest: at.z, arrived: false, cut: None, cuts_below: None }
     }
 
     /// A motion; `floating` is by which zero its end counts along Z, and `zero` that height. Returns the code of what is wrong
@@ -59,7 +65,7 @@ impl Stay {
             _ => None,
         };
         if floating != self.floating {
-            *self = Self { cuts_below: None, ..Self::comes(to, floating) };
+            *self = Self { arrived: true, ..Self::comes(to, floating) };
             return told;
         }
         match motion {
@@ -68,6 +74,7 @@ impl Stay {
             }
             Motion::Rapid => {
                 self.highest = self.highest.max(to.z);
+                self.arrived |= from.z != to.z;
                 self.cut = self.cut.filter(|cut| to.z < cut.below);
             }
             _ => {}
@@ -79,7 +86,9 @@ impl Stay {
     fn cuts(&mut self, from: Position, to: Position, across: bool) {
         let just_over = to.z + Micrometres::new(1);
         let below = if to.z < from.z { from.z } else { just_over };
-        if to.z < from.z || across {
+        self.arrived |= across && from.z != to.z;
+        let arrives = !across && !std::mem::replace(&mut self.arrived, true);
+        if (to.z < from.z && !arrives) || across {
             let before = self.cut;
             // Straight down and deeper it makes a hole in the floor that it has cut.
             let hole = !across && before.is_none_or(|cut| to.z < cut.bottom);
