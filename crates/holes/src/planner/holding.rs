@@ -51,8 +51,10 @@ fn out_of_the_way(plan: Plan, face: Face, shop: &Shop<'_>) -> Result<(Plan, Opti
     }
     let bare = clamped(&plan, face, None);
     let without = faults(&bare, shop)?;
-    let own_fault = with.into_iter().find(|(fault, _)| !without.contains_key(fault));
-    let Some((_, why)) = own_fault else { return Ok((plan, None)) };
+    if with.len() <= without.len() {
+        return Ok((plan, None));
+    }
+    let Some(why) = with.into_iter().find(|fault| !without.contains(fault)) else { return Ok((plan, None)) };
     let (mut tried, mut best): (BTreeMap<usize, usize>, Option<(usize, Plan)>) = (BTreeMap::new(), None);
     for set in setup::clampings(&plan.part, &plan.holes, face, shop)? {
         let count = tried.entry(set.clamps.len()).or_default();
@@ -99,7 +101,7 @@ fn out_of_the_way(plan: Plan, face: Face, shop: &Shop<'_>) -> Result<(Plan, Opti
 }
 
 /// How high what stands at the places of the straps may be, in whole mm.
-fn lowest(plan: &Plan, face: Face, without: &Faults, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
+fn lowest(plan: &Plan, face: Face, without: &[Note], shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
     let Some(own) = clamping_of(plan, face) else { return Ok(Micrometres::ZERO) };
     let mut lower = own.clone();
     let step = Micrometres::from_mm_rounded(1.0);
@@ -128,15 +130,13 @@ fn clamped(plan: &Plan, face: Face, clamping: Option<Clamping>) -> Plan {
     plan
 }
 
-/// What keeps the job of a plan from running on the machine: by its code and tool, whatever its figures are.
-type Faults = BTreeMap<(String, Option<String>), Note>;
-
-fn faults(plan: &Plan, shop: &Shop<'_>) -> Result<Faults, KnowledgeError> {
+/// What keeps the job of a plan from running on the machine.
+fn faults(plan: &Plan, shop: &Shop<'_>) -> Result<Vec<Note>, KnowledgeError> {
     let mut timed = plan.clone();
     timed.findings.clear();
     sequence::timed(&mut timed, shop)?;
     let wrong = timed.findings.into_iter().filter(|finding| finding.severity <= Severity::Wrong);
-    Ok(wrong.map(|Finding { note, .. }| ((note.code().to_owned(), note.figure_text("tool")), note)).collect())
+    Ok(wrong.map(|finding| finding.note).collect())
 }
 
 /// How many tools come so deep that what is above their cutters meets a strap of the plan's own.
@@ -161,7 +161,7 @@ fn near_straps(plan: &Plan, shop: &Shop<'_>) -> Result<usize, KnowledgeError> {
     Ok(near)
 }
 
-/// Whether a plan has no fault beside those of another.
-fn is_as_good(plan: &Plan, without: &Faults, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
-    Ok(faults(plan, shop)?.keys().all(|fault| without.contains_key(fault)))
+/// Whether a plan has no more faults than with nothing on the face.
+fn is_as_good(plan: &Plan, without: &[Note], shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+    Ok(faults(plan, shop)?.len() <= without.len())
 }
