@@ -191,14 +191,16 @@ fn spindle<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) -> Re
     // What holds our own plan to that step, as practice does, holds the author's, too, who need not name it.
     let ours = context.reference(conditions.rows[0]).map(|own| own.conditions.spindle_rpm);
     formula.judge = Some(Box::new(move |value, values| {
-        if ours.is_some_and(|ours| (ours.0 - value).abs() < 1e-6) {
+        let computed = *values.first()?;
+        // No slower than ours and no faster than computed, at a step, is right whichever way practice is seen.
+        let between =
+            |ours: RevsPerMinute| ours.0 < value && value <= computed && context.steps_around(value).is_none();
+        if ours.is_some_and(|ours| (ours.0 - value).abs() < 1e-6 || between(ours)) {
             return None;
         }
-        let mut computed = *values.first()?;
         // A program says nothing of how its speed was found: one of practice is as good as one of the formula.
-        if context.stated.is_of_program() {
-            computed = ours.map_or(computed, |ours| computed.max(ours.0));
-        }
+        let of_program = ours.filter(|_| context.stated.is_of_program());
+        let computed = of_program.map_or(computed, |ours| computed.max(ours.0));
         // A limit only lowers the spindle speed, and leaves it at a step of the machine.
         let slower = is_limited && value < computed && context.steps_around(value).is_none();
         if slower { None } else { judge_step(context, value, computed) }
