@@ -161,11 +161,14 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             let (reported, more) = context.amount.select(groups, |group| group.0.severity);
             let mut problems: Vec<Diagnostic> =
                 reported.iter().map(|(fault, others)| of_group(fault, others, &file, context)).collect();
+            // What is said of the whole program stands before its findings.
+            let mut before = 0;
             if args.control.is_none() && faults.iter().any(|fault| OF_ANOTHER_LANGUAGE.contains(&fault.code)) {
                 let message = say!(context.lang, "check-read-as", control = control);
                 let help = say!(context.lang, "check-read-as-other", controls = Language::names(knowledge).join(", "));
                 let read_as = Diagnostic::error("read-as", message, None).help(help);
                 problems.insert(0, Diagnostic { severity: Severity::Note, ..read_as });
+                before += 1;
             }
             if let Some(machine) = &assumed {
                 let names = (machine.id(), control);
@@ -173,6 +176,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 let help = Some(context.word("check-name-machine").into());
                 let assumed = Diagnostic::error("machine-assumed", message, None);
                 problems.insert(0, Diagnostic { severity: Severity::Note, help, ..assumed });
+                before += 1;
             }
             problems.extend(proof::part_diagnostics(&serious, context));
             problems.extend(proof::part_diagnostics(&undone, context));
@@ -189,7 +193,8 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
                 problems.push(Diagnostic { severity, help, ..Diagnostic::error("not-compared", message, None) });
             }
             let hidden = faults.iter().map(|fault| proof::shown(fault.severity));
-            let own = problems.get(reported.len()..).unwrap_or_default().iter().map(|problem| problem.severity);
+            let behind = problems.iter().skip(before + reported.len());
+            let own = problems.iter().take(before).chain(behind).map(|problem| problem.severity);
             let all: Vec<Severity> = hidden.chain(own).collect();
             let counts = [Severity::Error, Severity::Warning, Severity::Note]
                 .map(|severity| all.iter().filter(|one| **one == severity).count());
