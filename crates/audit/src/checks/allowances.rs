@@ -122,9 +122,9 @@ fn missing(context: &Context<'_>, hole: &Hole, rows: &[(usize, &Row)], index: us
     let ours: Vec<Operation> = plan.transitions.iter().map(|transition| transition.operation).collect();
     let end = ours.iter().position(|operation| *operation == own)?;
     let begin = ours.iter().position(|operation| *operation == before)? + 1;
-    let between = ours.get(begin..end)?.iter().copied();
+    let mut between = ours.get(begin..end)?.iter().copied();
     let stated = |operation: Operation| rows.iter().any(|(_, row)| row.operation.value == operation);
-    between.filter(|operation| !operation.is_of_edge() && !stated(*operation)).next_back()
+    between.rfind(|operation| !operation.is_of_edge() && !stated(*operation))
 }
 
 /// A row that finds far more stock than it may take, because the transition before it is left out.
