@@ -55,7 +55,7 @@ impl Hands {
 pub struct Duration {
     /// At feed, into the metal and through it.
     pub feed: Minutes,
-    /// At feed, out of the hole, as for a reamer.
+    /// At feed beside that: out of the hole, as a reamer leaves, and again over what a pecking drill has drilled.
     pub feed_out: Minutes,
     /// Waiting at the bottom.
     pub dwell: Minutes,
@@ -98,13 +98,13 @@ impl Cycle {
             }
             CycleKind::Peck { step, clearance } => {
                 for reached in bottoms(depth, *step) {
-                    took.feed = took.feed + at_feed(clearance.to_mm());
+                    took.feed_out = took.feed_out + at_feed(clearance.to_mm());
                     took.rapid = took.rapid + rapid.time(reached) + rapid.time(reached - *clearance);
                 }
             }
             CycleKind::ChipBreak { step, retreat } => {
                 for _ in bottoms(depth, *step) {
-                    took.feed = took.feed + at_feed(retreat.to_mm());
+                    took.feed_out = took.feed_out + at_feed(retreat.to_mm());
                     took.rapid = took.rapid + rapid.time(*retreat);
                 }
             }

@@ -41,7 +41,7 @@ fn of_times(plan: &Plan, bench: &ProofBench) -> (String, String) {
     let head = "Times of ours: machine time ".to_owned();
     let out = match plan.time.feed_out_min.0 {
         none if none < 0.005 => String::new(),
-        out => format!(" and {out:.2} out of the holes at feed"),
+        out => format!(" and {out:.2} of other motions at feed"),
     };
     let text = format!(
         "{head}{:.2} min{out}; with rapids and tool changes {:.2} min by the plan, {:.2} min",

@@ -32,8 +32,7 @@ fn part(number: usize) -> String {
     text
 }
 
-/// Within 2 % in the middle and never more than 3.5 % off: programs round feeds down to whole millimetres a minute, and the machine time
-/// of a plan does not have what a pecking drill goes over again at feed, which is most in small deep holes.
+/// Within 2 % in the middle and never more than 3 % off: programs round feeds down to whole millimetres a minute.
 #[test]
 fn a_plan_takes_as_long_as_its_program() {
     let control = Language::read("linuxcnc", &KNOWLEDGE).unwrap();
@@ -52,7 +51,7 @@ fn a_plan_takes_as_long_as_its_program() {
         control.check(&text, &bench.machine, &bench.setting, &mut sink);
         let time = bench.plan.time;
         let ratio = (time.total_min.0 - time.hand_min.0) / sink.1.times().total_min.0;
-        assert!((ratio - 1.0).abs() < 0.035, "{ratio}: {time:?}, {:?}\n{}", sink.1.times(), part(number));
+        assert!((ratio - 1.0).abs() < 0.03, "{ratio}: {time:?}, {:?}\n{}", sink.1.times(), part(number));
         ratios.push(ratio);
     }
     ratios.sort_by(f64::total_cmp);

@@ -47,7 +47,7 @@ pub struct Stop {
 pub struct Times {
     /// Cutting, with approach and overrun, min.
     pub machine_min: Minutes,
-    /// At feed out of the holes, as reamers and taps leave, min.
+    /// At feed beside the machine time: out of the holes, as reamers leave, and again over what pecking drills have drilled, min.
     #[serde(default)]
     pub feed_out_min: Minutes,
     /// Turning at the bottom, min.

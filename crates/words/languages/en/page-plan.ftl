@@ -175,7 +175,7 @@ plan-supports-where = Supports stand under the clamps and beyond the outermost h
 plan-supports-none = Set-up { $setup }: no supports are needed, no tool comes out below the part; the file gives no height (fixture.height).
 plan-times = { $parts } = { $total } min
 plan-time-machine = Machine time { $time }
-plan-time-feed-out = out of the holes at feed { $time }
+plan-time-feed-out = other motions at feed { $time }
 plan-time-dwell = dwells { $time }
 plan-time-rapid = rapids { $time }
 plan-time-change = tool changes { $time }

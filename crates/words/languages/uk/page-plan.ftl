@@ -164,7 +164,7 @@ plan-supports-where = Опори – під притискачами й за к�
 plan-supports-none = Установ { $setup }: опори не потрібні, інструмент під деталь не виходить; у файлі висоти не задано (fixture.height).
 plan-times = { $parts } = { $total } хв
 plan-time-machine = Машинний час { $time }
-plan-time-feed-out = виведення на робочій подачі { $time }
+plan-time-feed-out = інші ходи на робочій подачі { $time }
 plan-time-dwell = витримки { $time }
 plan-time-rapid = час холостих ходів { $time }
 plan-time-change = час заміни інструмента { $time }
