@@ -124,7 +124,7 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("two-sides", "W1", "W2", "step-clearance"),
     ("two-sides", "G83", "G86", "step-return"),
     ("plate", "G81 U3 Z-46.01 I15", "G83 U3 Z-46.01 V10 W1 I15", "steps-not-planned"),
-    ("two-sides", "G83 U3 Z-46.5 V5 W1", "G81 U3 Z-46.5", "step-too-large"),
+    ("two-sides", "G83 U3 Z-46.5 V2.5 W1", "G81 U3 Z-46.5", "step-too-large"),
     ("two-sides", "G82", "G81", "out-at-rapid"),
     ("large-bore", "G85", "G81", "out-turning"),
     ("plate", "G81 U3 Z-46.01", "G85 U3 Z-46.01", "out-standing"),
@@ -226,7 +226,10 @@ fn every_deviation_is_shown_by_some_program() {
         "not-loaded",
         "no-stop-to-load",
         "no-stop-to-set-bar",
-        // `unfinished`, `clamps` and `directed` have tests of their own.
+        // `slots`, `unfinished`, `clamps` and `directed` have tests of their own.
+        "slot-uncut",
+        "slot-gouged",
+        "slot-plunge-aside",
         "through-obstacle",
         "holder-through-obstacle",
         "holder-unknown",

@@ -165,7 +165,7 @@ fn tables_of_a_shop_lie_over_those_that_are_shipped() {
         }
         fs::write(folder.join(layer).join("rules/spindle-step.yaml"), text).unwrap();
     }
-    let ask = ["lookup", "spindle-step", "excess=5", "beyond_practice=false", "--lang", "en", "--format", "json"];
+    let ask = ["lookup", "spindle-step", "excess=5", "beyond_practice=false", "--format", "json"];
     for (layers, taken) in
         [(&[][..], "above"), (&["--with", "shop"], "below"), (&["--with", "shop", "--with", "again"], "above")]
     {

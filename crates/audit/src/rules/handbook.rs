@@ -75,10 +75,11 @@ fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) 
         }));
         graph.add(formula);
     }
-    // The formula of drills says nothing of a spot: centring goes as practice has it.
-    let spots = cut.operation == Operation::CentreDrill;
-    if let Some(formulas) = formulas.filter(|_| stated.method == CuttingMethod::Formula && !spots) {
-        speed(context, graph, at, &formulas, by_table)?;
+    if let Some(formulas) = formulas.filter(|_| stated.method == CuttingMethod::Formula) {
+        // The formula of drills says nothing of the speed of a spot: centring goes as practice has it.
+        if cut.operation != Operation::CentreDrill {
+            speed(context, graph, at, &formulas, by_table)?;
+        }
         loads(context, graph, at, &formulas)?;
     }
     Ok(())

@@ -131,7 +131,8 @@ impl<'t> Around<'_, 't> {
             if !made.moves() {
                 continue;
             }
-            let work = leads.or_else(|| cuts.get(stay).map(|(_, last)| *last)).and_then(|cut| self.task(cut));
+            let cut = leads.or_else(|| cuts.get(stay).map(|(_, last)| *last));
+            let work = cut.and_then(|cut| self.task(cut));
             // Motion to an unplanned cut is reported with that cut.
             let Some(task) = work else {
                 if !cuts.contains_key(stay) && made.machine.z != up {
@@ -144,9 +145,11 @@ impl<'t> Around<'_, 't> {
             }
             let cycle = task.cycle;
             let metal = self.input.plan.part.datum.top - task.transition.start_mm;
-            // Between its steps a pecking tool comes back to just over what it has drilled, which may be the face itself; that it
-            // begins no lower than planned is held to its first step.
-            let pecks = matches!(cycle.kind, CycleKind::Peck { .. } | CycleKind::ChipBreak { .. });
+            // Between its steps a pecking tool comes back to just over what it has drilled, which may be the face itself; before the
+            // first it has no business there.
+            let first = cut.and_then(|cut| self.made.cuts.get(cut)?.cutting().next());
+            let begun = first.is_some_and(|first| first.order < made.order);
+            let pecks = begun && matches!(cycle.kind, CycleKind::Peck { .. } | CycleKind::ChipBreak { .. });
             let lowest = if pecks { metal } else { task.reached_in_air(metal) };
             if made.to[2] < cycle.begin && made.to[2] >= lowest && made.turning != Turning::Stopped {
                 continue;

@@ -38,7 +38,7 @@ fn the_point_of_a_drill_stays_above_the_bottom() {
     assert_eq!(through.path.moves.iter().filter(|one| one.purpose == Purpose::Plunge).count(), 1);
 }
 
-/// By the rule machining-cycle: over 5 diameters the chip is broken after each diameter, over 8 the drill comes out.
+/// By the rule machining-cycle: over 5 diameters the chip is broken after each diameter, over 8 the drill comes out after each half.
 #[test]
 fn deep_holes_are_drilled_in_steps() {
     let broken = drilled(10, HoleEnd::Blind(Half::from(60.0))).unwrap();
@@ -46,9 +46,9 @@ fn deep_holes_are_drilled_in_steps() {
     assert_eq!(plunges(&broken), 6);
     assert!(broken.path.moves.iter().any(|one| one.purpose == Purpose::Return));
     let pecked = drilled(10, HoleEnd::Blind(Half::from(85.0))).unwrap();
-    assert_eq!(plunges(&pecked), 9);
+    assert_eq!(plunges(&pecked), 17);
     let out = pecked.path.moves.iter().filter(|one| one.purpose == Purpose::Rapid && one.to.z < Half::ZERO).count();
-    assert_eq!(out, 9, "out after every step");
+    assert_eq!(out, 17, "out after every step");
     let mut at = pecked.path.from.z;
     let mut cut = Half::ZERO;
     for one in &pecked.path.moves {
