@@ -105,14 +105,20 @@ impl<'k> Shop<'k> {
         Ok(if fine && own_field { (diameter.smallest() + diameter.largest()).half() } else { diameter.target() })
     }
 
-    /// The diameter that the last transition aims at: of a finishing bar, which is set to any size, the middle of the field, so
-    /// that its spring and its wear may go either way; of other tools that of [`Self::aimed`].
+    /// The diameter that the last transition aims at: of a finishing bar, which is set to any size, and of a mill, which goes round
+    /// at any, the middle of the field, so that spring and wear of the tool and the roundness of the machine may go either way; of
+    /// other tools, and of a size without a field, that of [`Self::aimed`].
     ///
     /// # Errors
     /// As for [`Self::aimed`].
     pub fn aimed_by(&self, operation: Operation, diameter: &ToleratedDiameter) -> Result<Micrometres, KnowledgeError> {
-        let finishing = matches!(operation, Operation::SemiFinishBore | Operation::FinishBore);
-        if finishing { Ok((diameter.smallest() + diameter.largest()).half()) } else { self.aimed(diameter) }
+        let bored = matches!(operation, Operation::SemiFinishBore | Operation::FinishBore);
+        let is_free = diameter.written == diameter.nominal.to_string();
+        if bored || operation == Operation::Mill && !is_free {
+            Ok((diameter.smallest() + diameter.largest()).half())
+        } else {
+            self.aimed(diameter)
+        }
     }
 
     /// Whether an operation uses coolant where its speed does not say so, by the rule `coolant`.

@@ -32,14 +32,15 @@ fn part(number: usize) -> String {
     text
 }
 
-/// Within 2 % in the middle and never more than 3 % off: programs round feeds down to whole millimetres a minute.
+/// On the machine's own control, within 2 % each: programs round feeds down to whole millimetres a minute. A control that comes
+/// back nearer to the metal between pecks, as LinuxCNC does, is quicker than that.
 #[test]
 fn a_plan_takes_as_long_as_its_program() {
-    let control = Language::read("linuxcnc", &KNOWLEDGE).unwrap();
+    let control = Language::read("2c42-65", &KNOWLEDGE).unwrap();
     let mut ratios = Vec::new();
     for number in 0..400 {
         // As many as the assertion asks for, and some more.
-        if ratios.len() > 150 {
+        if ratios.len() > 200 {
             break;
         }
         let bench = ProofBench::of(&read(&part(number)));
@@ -51,11 +52,11 @@ fn a_plan_takes_as_long_as_its_program() {
         control.check(&text, &bench.machine, &bench.setting, &mut sink);
         let time = bench.plan.time;
         let ratio = (time.total_min.0 - time.hand_min.0) / sink.1.times().total_min.0;
-        assert!((ratio - 1.0).abs() < 0.03, "{ratio}: {time:?}, {:?}\n{}", sink.1.times(), part(number));
+        assert!((ratio - 1.0).abs() < 0.02, "{ratio}: {time:?}, {:?}\n{}", sink.1.times(), part(number));
         ratios.push(ratio);
     }
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
     println!("{} to {}, {median} in the middle", ratios[0], ratios[ratios.len() - 1]);
-    assert!(ratios.len() > 150 && (median - 1.0).abs() < 0.02, "{median} of {}", ratios.len());
+    assert!(ratios.len() > 200 && (median - 1.0).abs() < 0.005, "{median} of {}", ratios.len());
 }

@@ -2,7 +2,7 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::part::Slot;
-use crate::plan::Feature;
+use crate::plan::{Feature, Operation};
 use crate::reason::{CutterFault, Reason, Unfit};
 use crate::route::RouteStep;
 use crate::shop::{Shop, widest_over_hole};
@@ -109,7 +109,7 @@ impl<'k> Fitting<'_, 'k> {
             None => Some(&self.hole.diameter).filter(|_| step.place.feature == Feature::Bore),
         };
         let Some(required) = required else { return Ok(()) };
-        if self.hole.slot.is_none() && self.shop.aimed(required)? != step.diameter {
+        if self.hole.slot.is_none() && self.shop.aimed_by(Operation::Mill, required)? != step.diameter {
             return Ok(());
         }
         let share = self.shop.share(HoleDefault::MilledRoundnessShare)?;

@@ -116,7 +116,8 @@ impl<'a, 'k> BackwardStep<'a, 'k> {
     /// it makes that, too.
     pub(super) fn mill(self) -> Tried<Vec<RouteStep>> {
         let from = if self.after_drill() { self.drill_to_open()? } else { self.start()? };
-        let last = self.leaves == self.shop.aimed(&self.bore.diameter)? && self.bore.thread.is_none();
+        let last =
+            self.leaves == self.sizes.last_size(Operation::Mill, self.bore, self.shop)? && self.bore.thread.is_none();
         let (it, roughness) = (self.bore.diameter.it, self.bore.roughness);
         let round = self.shop.knowledge.ask(&MillingFinishRoundFor { it, roughness })?.need(&format!("IT {it}"))?;
         let roughed = self.leaves - round.stock - round.stock;
