@@ -141,6 +141,32 @@ fn planted_slips_of_programs_are_found() {
     assert!(missed.is_empty(), "{}", missed.join("\n"));
 }
 
+/// What stands in the registers nobody says, and a list has the size that is made: a spot is no tool. The register of another tool is
+/// told where it is called.
+#[test]
+fn a_list_beside_a_program_of_ours_blames_nothing() {
+    let part =
+        read(&std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/plate.yaml")).unwrap());
+    let plan = planner::plan(&part, CuttingMethod::default(), &KNOWLEDGE).unwrap();
+    let (control, language) = languages().into_iter().next().unwrap();
+    let planned = PlannedJob::of(plan, &language, &KNOWLEDGE).unwrap();
+    let program = language.write(&planned.job, form(&part)).text();
+    let list = "Отвір;Перехід;Діаметр, мм;№ інструмента;Інструмент;Оправка\nA;центрування;6;T1;035-2317-0103;191113040\n\
+                A;свердління;10;T2;035-2300-1273;191113040\nB;свердління;10;T2;035-2300-1273;191113040\n\
+                B;розсвердлювання;20;T3;035-2301-1060;191831062\n";
+    let tables = sheets::read(sheets::Kind::Csv, list.as_bytes()).unwrap();
+    let none = |_: &str| Err(String::new());
+    let tools = read_table("tools.csv", &tables, Some(&part), &KNOWLEDGE, &none).unwrap();
+    let found = |text: &str| {
+        let alone =
+            ProgramAlone { file: "program.nc", text, control, setting: None, part: Some(&part), tools: Some(&tools) };
+        grave(&AUDITOR.audit(&alone.read(&KNOWLEDGE).unwrap().unwrap()).unwrap())
+    };
+    assert!(found(&program).is_empty(), "{:?}", found(&program));
+    let other = program.replacen("Z40 H2", "Z40 H3", 1);
+    assert!(other != program && !found(&other).is_empty());
+}
+
 /// A control without comments is told its tools by a list.
 #[test]
 fn a_list_names_the_tools_of_a_program() {

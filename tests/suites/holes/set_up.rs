@@ -416,3 +416,20 @@ fn straps_of_our_own_never_take_the_travel_that_a_tool_needs() {
         assert!(found(&plan, "straps-in-the-way").is_none());
     }
 }
+
+/// The Ø97.5 collar of a short slot mill comes down to 50 mm over the face along a slot that ends 46 mm from the corner of an M16 strap,
+/// 57 mm high, at the middle of the front side: the straps go elsewhere, or lower ones are taken.
+#[test]
+fn straps_of_our_own_are_not_where_a_holder_comes_down() {
+    let text = "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {kind: plate, length: 300, width: 200, thickness: 25}\n\
+                fixture: {height: 40}\nslots:\n  \
+                - {name: S, from: [-100, -60], to: [-60, -30], width: 14H12, through: true, roughness: Ra 6.3, centre_tolerance: 0.4}\n  \
+                - {name: W, centre: [0, 0], length: 120, angle: -15, width: 36H11, depth: 20, roughness: Ra 3.2, centre_tolerance: 0.2}\n";
+    let plan = planned(&read(text), CuttingMethod::Formula);
+    assert!(!plan.has_errors(), "{:?}", plan.findings);
+    let strap =
+        plan.clamping.as_ref().and_then(|clamping| clamping.strap.map(|strap| (strap, clamping.clamps.clone())));
+    let (strap, clamps) = strap.expect("straps find places");
+    let middle = clamps.iter().any(|at| at.x.to_mm().abs() < 1.0 && at.y.to_mm() < 0.0);
+    assert!(strap.height_mm.to_mm() < 50.0 || !middle, "{clamps:?}, {} mm", strap.height_mm);
+}

@@ -39,17 +39,7 @@ pub(super) struct Told {
 impl Told {
     /// The diameter that it makes of a hole, where its own is that.
     pub(super) fn cuts(&self, operation: Operation) -> Option<f64> {
-        let of_size = matches!(
-            operation,
-            Operation::Drill
-                | Operation::DrillOut
-                | Operation::CoreDrill
-                | Operation::RoughReam
-                | Operation::FinishReam
-                | Operation::Counterbore
-                | Operation::Tap
-        );
-        self.diameter.filter(|_| of_size)
+        self.diameter.filter(|_| is_of_size(operation))
     }
 
     /// Whether neither a diameter nor a designation is told.
@@ -111,7 +101,9 @@ impl ToldTools {
                 Some(other) if other != row.operation.value => None,
                 _ => Some(row.operation.value),
             };
-            own.diameter = row.figures.get(&Q::Diameter).map(|figure| figure.value).or(own.diameter);
+            // Of a spot, a chamfer or a bored hole the list has the size that is made, which is not the tool's.
+            let made = row.figures.get(&Q::Diameter).filter(|_| is_of_size(row.operation.value));
+            own.diameter = made.map(|figure| figure.value).or(own.diameter);
         }
         Ok(tools)
     }
@@ -150,6 +142,20 @@ impl Told {
             self.designation = designation(comment);
         }
     }
+}
+
+/// Whether the tool of an operation makes holes of its own diameter.
+const fn is_of_size(operation: Operation) -> bool {
+    matches!(
+        operation,
+        Operation::Drill
+            | Operation::DrillOut
+            | Operation::CoreDrill
+            | Operation::RoughReam
+            | Operation::FinishReam
+            | Operation::Counterbore
+            | Operation::Tap
+    )
 }
 
 /// The comments of a program with their lines: in brackets, or behind a semicolon.

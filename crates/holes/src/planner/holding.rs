@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
-use crate::job::{self, Body};
+use crate::job::{self, Body, Cycle, CycleKind};
 use crate::note::{Finding, Note, Severity};
-use crate::part::{Face, Standing};
+use crate::part::{Face, Point, Standing};
 use crate::plan::{Clamping, HolePlan, Plan};
 use crate::sequence;
 use crate::setup;
@@ -45,16 +45,14 @@ pub(super) fn held(mut plan: Plan, shop: &Shop<'_>) -> Result<(Plan, Vec<Finding
 /// The plan with clamps of its own on a face that keep no tool from its work.
 fn out_of_the_way(plan: Plan, face: Face, shop: &Shop<'_>) -> Result<(Plan, Option<Finding>), KnowledgeError> {
     let Some(own) = clamping_of(&plan, face).filter(|own| own.proposed) else { return Ok((plan, None)) };
-    let with = faults(&plan, shop)?;
-    if with.is_empty() {
+    let (with, in_strap) = (faults(&plan, shop)?, near_straps(&plan, shop)?.sure);
+    if with.is_empty() && in_strap.is_none() {
         return Ok((plan, None));
     }
     let bare = clamped(&plan, face, None);
     let without = faults(&bare, shop)?;
-    if with.len() <= without.len() {
-        return Ok((plan, None));
-    }
-    let Some(why) = with.into_iter().find(|fault| !without.contains(fault)) else { return Ok((plan, None)) };
+    let own_fault = with.iter().find(|fault| !without.contains(fault)).filter(|_| with.len() > without.len());
+    let Some(why) = own_fault.cloned().or(in_strap) else { return Ok((plan, None)) };
     let (mut tried, mut best): (BTreeMap<usize, usize>, Option<(usize, Plan)>) = (BTreeMap::new(), None);
     for set in setup::clampings(&plan.part, &plan.holes, face, shop)? {
         let count = tried.entry(set.clamps.len()).or_default();
@@ -66,12 +64,15 @@ fn out_of_the_way(plan: Plan, face: Face, shop: &Shop<'_>) -> Result<(Plan, Opti
         if !is_as_good(&other, &without, shop)? {
             continue;
         }
-        // Of sets that leave the quill its travel the one that fewest holders come near to.
+        // Of sets that leave the quill its travel, and no holder in a strap, the one that fewest unknown holders come near to.
         let near = near_straps(&other, shop)?;
-        if best.as_ref().is_none_or(|(least, _)| near < *least) {
-            best = Some((near, other));
+        if near.sure.is_some() {
+            continue;
         }
-        if near == 0 {
+        if best.as_ref().is_none_or(|(least, _)| near.maybe < *least) {
+            best = Some((near.maybe, other));
+        }
+        if near.maybe == 0 {
             break;
         }
     }
@@ -109,7 +110,8 @@ fn lowest(plan: &Plan, face: Face, without: &[Note], shop: &Shop<'_>) -> Result<
         && strap.height_mm > step
     {
         strap.height_mm = strap.height_mm - step;
-        if is_as_good(&clamped(plan, face, Some(lower.clone())), without, shop)? {
+        let lowered = clamped(plan, face, Some(lower.clone()));
+        if is_as_good(&lowered, without, shop)? && near_straps(&lowered, shop)?.sure.is_none() {
             break;
         }
     }
@@ -139,26 +141,53 @@ fn faults(plan: &Plan, shop: &Shop<'_>) -> Result<Vec<Note>, KnowledgeError> {
     Ok(wrong.map(|finding| finding.note).collect())
 }
 
-/// How many tools come so deep that what is above their cutters meets a strap of the plan's own.
-fn near_straps(plan: &Plan, shop: &Shop<'_>) -> Result<usize, KnowledgeError> {
+/// What is above the cutters and meets straps of the plan's own.
+#[derive(Default)]
+struct Near {
+    /// A holder of known thickness that meets one.
+    sure: Option<Note>,
+    /// How many tools have a holder that meets one if it is as thick as it can be.
+    maybe: usize,
+}
+
+fn near_straps(plan: &Plan, shop: &Shop<'_>) -> Result<Near, KnowledgeError> {
     let job = job::make(plan, shop)?;
     let top = plan.part.datum.top;
-    let mut near = 0;
+    let mut near = Near::default();
     for setup in &job.setups {
         let straps: Vec<&Standing> = setup.standing.iter().filter(|one| one.proposed).collect();
         for work in &setup.works {
-            let bodies = job.envelopes.iter().filter(|one| one.tool == work.tool).flat_map(|one| &one.bodies);
+            // The point, how low the body comes there, and how high the strap stands.
             let meets = |body: &Body| {
-                work.stops.iter().any(|stop| {
-                    let low = work.cycles.get(stop.cycle).map_or(top, |cycle| cycle.end) + body.from;
-                    let hit = |one: &&&Standing| one.outline.is_hit(stop.at, stop.at, body.diameter.half());
-                    straps.iter().filter(|one| low < top + one.height).any(|one| hit(&one))
+                work.stops.iter().find_map(|stop| {
+                    let cycle = work.cycles.get(stop.cycle)?;
+                    let low = cycle.end + body.from;
+                    let (to, aside) = reach(cycle, stop.at);
+                    let hit = |one: &&&Standing| one.outline.is_hit(stop.at, to, body.diameter.half() + aside);
+                    let strap = straps.iter().filter(|one| low < top + one.height).find(hit)?;
+                    Some((stop.at.shown(), low - top, strap.height))
                 })
             };
-            near += usize::from(bodies.into_iter().any(meets));
+            let bodies = || job.envelopes.iter().filter(|one| one.tool == work.tool).flat_map(|one| &one.bodies);
+            let sure = bodies().filter(|body| body.known).find_map(|body| Some((body.diameter, meets(body)?)));
+            if let Some((diameter, (at, low, height))) = sure.filter(|_| near.sure.is_none()) {
+                let note =
+                    Note::new("holder-in-strap").with("tool", work.tool).with("at", at).with("diameter", diameter);
+                near.sure = Some(note.with("low", low).with("height", height));
+            }
+            near.maybe += usize::from(bodies().any(|body| !body.known && meets(body).is_some()));
         }
     }
     Ok(near)
+}
+
+/// Where the tool's axis goes in a cycle at a point: to the other end of a slot, and how far beside that line.
+fn reach(cycle: &Cycle, at: Point) -> (Point, Micrometres) {
+    match &cycle.kind {
+        CycleKind::Slot(slot) => (Point { x: at.x + slot.run.x, y: at.y + slot.run.y }, slot.widest()),
+        CycleKind::Circles { radii, .. } => (at, radii.iter().copied().max().unwrap_or_default()),
+        _ => (at, Micrometres::ZERO),
+    }
 }
 
 /// Whether a plan has no more faults than with nothing on the face.

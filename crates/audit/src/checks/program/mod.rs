@@ -132,8 +132,10 @@ fn set(context: &Context<'_>, mut setting: Setting, plan: Option<(&Plan, &job::J
             zero[axis.index()].get_or_insert(setup.zero.get(axis) + shift.get(axis));
         }
     }
-    if setting.correctors.is_empty() {
-        setting.correctors = plan.tools.iter().map(|tool| (tool.corrector, holds(context, tool))).collect();
+    // What stands in the registers of a program by itself nobody says: what its tools need.
+    let unset = context.stated.program.as_ref().and_then(|program| program.alone).is_some_and(|alone| !alone.is_set);
+    if setting.correctors.is_empty() || unset {
+        setting.correctors.extend(plan.tools.iter().map(|tool| (tool.corrector, holds(context, tool))));
     }
     setting
 }
