@@ -1,7 +1,7 @@
 //! Names in letters that every control can show.
 
-/// A name for a comment in a program: Ukrainian in Latin letters (the table of 2010), without characters that a
-/// control cannot show or that would end the comment.
+/// A name for a comment in a program: Ukrainian in Latin letters (the table of 2010), in capitals, which is all that older
+/// controls know, and without characters that a control cannot show or that would end the comment.
 pub fn ascii(text: &str) -> String {
     const LATIN: [(char, &str); 40] = [
         ('а', "a"),
@@ -57,6 +57,7 @@ pub fn ascii(text: &str) -> String {
             None => latin.push('?'),
         }
     }
+    latin.make_ascii_uppercase();
     if is_active_comment(&latin) { format!("- {}", latin.trim_start()) } else { latin }
 }
 

@@ -74,7 +74,7 @@ impl ToldTools {
             })
             .collect();
         for (line, comment) in comments(text).into_iter().filter(|_| has_comments) {
-            let comment = ascii(&comment).to_uppercase();
+            let comment = ascii(&comment);
             let named = number_of(&comment);
             // Beside the change, in the line before it or in the one behind.
             let at = [line, line + 1, line.saturating_sub(1)];

@@ -157,7 +157,7 @@ pub fn cycle(
 /// The name of a part as a file name on a control: at most 14 Latin letters, digits and underscores, beginning with two
 /// letters.
 fn file_name(name: &str) -> String {
-    let latin = ascii(name).to_uppercase();
+    let latin = ascii(name);
     let kept = latin.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' });
     let kept: String = kept.take(14).collect();
     let begins = kept.chars().take(2).filter(char::is_ascii_alphabetic).count() == 2;
