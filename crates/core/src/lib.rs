@@ -2,6 +2,7 @@
 //!
 //! - [`part`] is what is to be made, [`shop`] what it is made with ([`machine`], [`material`], [`zone`]);
 //! - [`tapping`] is the hole under a tapped thread;
+//! - [`chip_room`] is what must stay open of a drill's flutes;
 //! - [`practice_speed`] is the speed used in shops, for comparison with the formulas;
 //! - [`demand`] is what a plan asks of its machine;
 //! - [`plan`] is the result of planning, a value; [`motion`] is what programs do;
@@ -12,6 +13,7 @@
 //! Architecture invariant: nothing here chooses a tool, a figure or an order.
 
 pub mod ascii;
+pub mod chip_room;
 pub mod demand;
 pub mod error;
 pub mod lang;

@@ -7,7 +7,7 @@ use crate::knowledge::{Knowledge, RowRef};
 use crate::machine::Machine;
 use crate::material::Material;
 use crate::note::{Because, Figure, Note};
-use crate::part::{Part, ToleratedDiameter, tolerance_width};
+use crate::part::{LimitsOf, Part, ToleratedDiameter, tolerance_width};
 use crate::plan::{CuttingMethod, Operation};
 use crate::shelf::Shelf;
 use crate::tables::controls::{Convention, ProgramConventions};
@@ -101,7 +101,7 @@ impl<'k> Shop<'k> {
     /// The table `hole-defaults` does not name the coarsest grade that reamers are bought for.
     pub fn aimed(&self, diameter: &ToleratedDiameter) -> Result<Micrometres, KnowledgeError> {
         let fine = f64::from(diameter.it.number()) <= self.share(HoleDefault::CoarsestBoughtGrade)?;
-        let own_field = diameter.lower != Micrometres::ZERO;
+        let own_field = diameter.lower != Micrometres::ZERO && diameter.limits != LimitsOf::Thread;
         Ok(if fine && own_field { (diameter.smallest() + diameter.largest()).half() } else { diameter.target() })
     }
 
@@ -113,12 +113,13 @@ impl<'k> Shop<'k> {
     /// As for [`Self::aimed`].
     pub fn aimed_by(&self, operation: Operation, diameter: &ToleratedDiameter) -> Result<Micrometres, KnowledgeError> {
         let bored = matches!(operation, Operation::SemiFinishBore | Operation::FinishBore);
-        let is_free = diameter.written == diameter.nominal.to_string();
-        if bored || operation == Operation::Mill && !is_free {
-            Ok((diameter.smallest() + diameter.largest()).half())
-        } else {
-            self.aimed(diameter)
-        }
+        let middle = match diameter.limits {
+            LimitsOf::Drawing => bored || operation == Operation::Mill,
+            LimitsOf::Free => bored,
+            // The size of its drill, which is whole, lies well within its limits.
+            LimitsOf::Thread => false,
+        };
+        if middle { Ok((diameter.smallest() + diameter.largest()).half()) } else { self.aimed(diameter) }
     }
 
     /// Whether an operation uses coolant where its speed does not say so, by the rule `coolant`.

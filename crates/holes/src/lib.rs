@@ -11,7 +11,7 @@ pub mod setup;
 pub mod tooling;
 
 // The types of other crates, under one name each in the whole program.
-use technolog_core::{error, machine, note, part, plan, reason, shop, zone};
+use technolog_core::{chip_room, error, machine, note, part, plan, reason, shop, zone};
 use technolog_cutting as cutting;
 use technolog_job as job;
 use technolog_knowledge::{self as knowledge, units};

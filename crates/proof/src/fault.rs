@@ -84,6 +84,10 @@ pub enum Fault {
     Twists { operation: Operation, drill: Micrometres, value: NewtonMetres, limit: NewtonMetres },
     /// The thrust exceeds the buckling load of a long drill.
     Buckles { operation: Operation, drill: Micrometres, flutes: Micrometres, value: Newtons, limit: Newtons },
+    /// The flutes of a drill are so deep in the hole that chips do not get out.
+    FlutesClose { operation: Operation, drill: Micrometres, flutes: Micrometres, tip: Micrometres, least: Micrometres },
+    /// The holder comes too near to the face.
+    HolderLow { operation: Operation, overhang: Micrometres, tip: Micrometres, least: Micrometres },
     /// The overhang of a boring bar is more than so many of its diameters.
     BarSlender { operation: Operation, reach: Micrometres, bar: Micrometres, ratio: f64 },
     /// A pass sets the edge of a boring bar outside the range that the bar has.
@@ -112,6 +116,9 @@ impl Fault {
         match self {
             Self::Wanting { shortfall, .. } if shortfall.at_best() => Severity::Doubtful,
             Self::ThinFloor { bursts: true, .. } => Severity::Error,
+            // Closed flutes break the drill; with less room than usual a patient hand gets through.
+            Self::FlutesClose { flutes, tip, .. } if flutes > tip => Severity::Doubtful,
+            Self::HolderLow { overhang, tip, .. } if overhang > tip => Severity::Doubtful,
             Self::ThinFloor { .. }
             | Self::MeetsFloor { .. }
             | Self::MiddleInMetal { .. }
@@ -192,6 +199,17 @@ impl Fault {
                 .with("flutes", flutes)
                 .with("value", round_to(value.0, 0))
                 .with("limit", round_to(limit.0, 0)),
+            Self::FlutesClose { operation, drill, flutes, tip, least } => of("proof-flutes-close", operation)
+                .with("drill", drill)
+                .with("flutes", flutes)
+                .with("tip", tip)
+                .with("open", *flutes - *tip)
+                .with("least", least),
+            Self::HolderLow { operation, overhang, tip, least } => of("proof-holder-low", operation)
+                .with("overhang", overhang)
+                .with("tip", tip)
+                .with("over", *overhang - *tip)
+                .with("least", least),
             Self::BarSlender { operation, reach, bar, ratio } => of("proof-bar-slender", operation)
                 .with("reach", reach)
                 .with("bar", bar)

@@ -9,13 +9,14 @@
 //! - `hole` simulates the transitions of a hole: worst-case sizes, positions and depths;
 //! - `shoulder` points of drills over flat shoulders;
 //! - `cylinder` the requirements of the drawing for a surface; `reach` the practice tables of a transition;
-//! - `loads` forces and power with their margin; `tool` the strength of the tool; `fault` all faults, as types.
+//! - `loads` forces and power with their margin; `tool` the strength of the tool; `holder` what is left under it; `fault` all faults, as types.
 //!
 //! Architecture invariant: the proof does not use the planner, makes no choices and corrects nothing.
 
 mod blank;
 mod cylinder;
 mod fault;
+mod holder;
 mod hole;
 mod loads;
 mod middle;
@@ -25,7 +26,7 @@ mod shoulder;
 mod tool;
 
 // The types of other crates, under one name each in the whole program.
-use technolog_core::{error, note, part, plan, practice_speed, shop, tapping};
+use technolog_core::{chip_room, error, note, part, plan, practice_speed, shop, tapping};
 use technolog_knowledge::units;
 use technolog_tables as tables;
 
@@ -55,6 +56,7 @@ pub fn prove(plan: &Plan, shop: &Shop<'_>) -> Result<Vec<Finding>, KnowledgeErro
         let Some(planned) = plan.holes.iter().find(|planned| planned.name == hole.name) else { continue };
         let mut faults = prove_hole(hole, &planned.transitions, &plan.part, shop)?;
         faults.extend(reamer::bought_too_wide(hole, planned, plan, shop)?);
+        faults.extend(holder::low(hole, planned, plan, shop)?);
         findings.extend(faults.iter().map(|fault| Finding::of_hole(fault.severity(), &hole.name, fault.note())));
     }
     findings.extend(blank::faults(plan, shop)?);

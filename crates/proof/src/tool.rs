@@ -2,6 +2,7 @@
 //!
 //! A tool that is in no catalog, which a plan by hand may name, is not checked.
 
+use crate::chip_room::{Drilling, chip_room};
 use crate::error::KnowledgeError;
 use crate::plan::{Operation, Transition};
 use crate::practice_speed::{PracticeSpeed, practice_group};
@@ -23,6 +24,7 @@ pub(crate) fn faults(transition: &Transition, shop: &Shop<'_>) -> Result<Vec<Fau
         too_fast(transition, shop)?,
         twists(transition, shop)?,
         buckles(transition, shop)?,
+        flutes_close(transition, shop)?,
         slender(transition, shop)?,
         out_of_range(transition, shop)?,
         beyond_machine(transition, shop),
@@ -123,6 +125,21 @@ fn buckles(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, Kn
     Ok((value.0 > limit.0 * SLACK).then_some(Fault::Buckles { operation, drill, flutes, value, limit }))
 }
 
+/// Checks that enough of a drill's flutes stays open over the metal that it enters.
+fn flutes_close(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
+    let (operation, drill) = (transition.operation, transition.diameter_mm);
+    let step_drill = transition.also_diameter_mm.is_some();
+    let table = shop.shelf.cutters().iter().find(|table| table.table.id == transition.tool.table);
+    let Some(angle) = table.and_then(|table| table.head.point_angle).filter(|_| !step_drill) else { return Ok(None) };
+    let Some(flutes) = row(transition, shop)?.and_then(|row| row.flute_length) else { return Ok(None) };
+    let depth = transition.depth_mm - transition.start_mm;
+    let half = (angle.to_f64() / 2.0).to_radians();
+    let point = Micrometres::from_mm_rounded(drill.to_mm() / 2.0 / libm::tan(half));
+    let drilling = Drilling { operation, diameter: drill, depth, point, material_group: shop.material.group };
+    let (tip, least) = (transition.end() - transition.start_mm, chip_room(&drilling, shop.knowledge)?);
+    Ok((flutes - tip < least).then_some(Fault::FlutesClose { operation, drill, flutes, tip, least }))
+}
+
 /// Checks that the overhang of a boring bar is not too long for steel, for carbide, or for a damper.
 fn slender(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
     let Some(Bar { reach, diameter: bar, carbide, damped }) = bar(transition, shop)? else { return Ok(None) };
@@ -187,7 +204,10 @@ fn bar(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Bar>, Knowledg
 }
 
 /// The row of the cutter of a transition.
-fn row<'s>(transition: &Transition, shop: &'s Shop<'_>) -> Result<Option<&'s CutterRow<'s>>, KnowledgeError> {
+pub(crate) fn row<'s>(
+    transition: &Transition,
+    shop: &'s Shop<'_>,
+) -> Result<Option<&'s CutterRow<'s>>, KnowledgeError> {
     let Some(table) = shop.shelf.cutters().iter().find(|table| table.table.id == transition.tool.table) else {
         return Ok(None);
     };

@@ -41,6 +41,7 @@ pub(super) fn check<'a>(
                 | Fault::TooHard { .. }
                 | Fault::Twists { .. }
                 | Fault::Buckles { .. }
+                | Fault::FlutesClose { .. }
                 | Fault::BarSlender { .. }
                 | Fault::ThinFloor { .. }
                 | Fault::MeetsFloor { .. }
@@ -51,10 +52,11 @@ pub(super) fn check<'a>(
                 | Fault::BarSprings { .. } => Severity::Doubtful,
                 Fault::Wanting { .. } | Fault::UnderSkin { .. } => fault.severity(),
                 Fault::Enters { .. } | Fault::Gouges { .. } | Fault::TapHole { .. } => Severity::Wrong,
-                // The blank is the drawing's, not the plan's: `prove_hole` leaves it out.
+                // The blank is the drawing's, not the plan's, and assemblies are those of a whole plan: `prove_hole` leaves them out.
                 Fault::Wall { .. }
                 | Fault::NoWall { .. }
                 | Fault::CastStock { .. }
+                | Fault::HolderLow { .. }
                 | Fault::PlateSprings { .. }
                 | Fault::NotFinished { .. }
                 | Fault::SpotStays { .. }

@@ -39,7 +39,7 @@ pub use file::schema;
 pub use read::{read_part, read_part_node};
 pub use slot::{Slot, Way};
 pub use standing::{Outline, Standing};
-pub use tolerance::{ToleratedDiameter, tolerance_width};
+pub use tolerance::{LimitsOf, ToleratedDiameter, tolerance_width};
 
 /// A part with holes, as its drawing gives it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

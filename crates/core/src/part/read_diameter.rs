@@ -64,7 +64,7 @@ impl Reader<'_> {
                 return self.problems.error_help("bad-diameter", message, &stated.place, help);
             }
         }
-        match ToleratedDiameter::under_thread(hole, &thread.written, self.knowledge) {
+        match ToleratedDiameter::under_thread(hole, &thread, self.knowledge) {
             Ok(diameter) => Some(Sized { diameter, thread: Some(thread), place: node.place.clone() }),
             Err(message) => self.problems.error("bad-diameter", message, &node.place),
         }

@@ -10,9 +10,10 @@ use crate::knowledge::Knowledge;
 use crate::knowledge::alike::latin;
 use crate::tables::holes::{HoleConvention, HoleDefault};
 use crate::tables::standards::ItGradesFor;
+use crate::tapping::minor_diameter;
 use crate::units::{ItGrade, Micrometres};
 
-use super::Deviations;
+use super::{Deviations, Thread, ThreadKind};
 
 /// A diameter and its tolerance.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -27,6 +28,21 @@ pub struct ToleratedDiameter {
     pub it: ItGrade,
     /// How the drawing writes it.
     pub written: String,
+    /// What its limits come from.
+    #[serde(skip)]
+    pub limits: LimitsOf,
+}
+
+/// What the limits of a diameter come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LimitsOf {
+    /// The drawing gives a field or deviations.
+    #[default]
+    Drawing,
+    /// The drawing gives a size alone.
+    Free,
+    /// The minor diameter of a thread, wide and without a size of its own.
+    Thread,
 }
 
 impl fmt::Display for ToleratedDiameter {
@@ -106,7 +122,8 @@ impl ToleratedDiameter {
         })?;
         if field.is_empty() {
             let grade = convention(HoleDefault::FreeSizeGrade, knowledge)? as u8;
-            return Self::with_grade(nominal, grade, nominal.to_string(), knowledge);
+            let free = Self::with_grade(nominal, grade, nominal.to_string(), knowledge)?;
+            return Ok(Self { limits: LimitsOf::Free, ..free });
         }
         let (letters, grade) =
             field.trim().split_at(field.trim().find(|sign: char| sign.is_ascii_digit()).unwrap_or(field.len()));
@@ -138,7 +155,8 @@ impl ToleratedDiameter {
         let number = convention(HoleDefault::FreeSizeGrade, knowledge)? as u8;
         let grade = ItGrade::new(number).ok_or_else(|| note!("part-grade-outside", number = number))?;
         let upper = tolerance_width(grade, nominal, knowledge)?;
-        Ok(Self { nominal, upper, lower: Micrometres::ZERO, it: grade, written: nominal.to_string() })
+        let written = nominal.to_string();
+        Ok(Self { nominal, upper, lower: Micrometres::ZERO, it: grade, written, limits: LimitsOf::Free })
     }
 
     fn with_grade(nominal: Micrometres, grade: u8, written: String, knowledge: &Knowledge) -> Result<Self, Note> {
@@ -147,19 +165,32 @@ impl ToleratedDiameter {
             .filter(|grade| (6..=14).contains(&grade.number()))
             .ok_or_else(|| note!("part-grade-outside-which-tables-cover", grade = grade))?;
         let width = tolerance_width(it, nominal, knowledge)?;
-        Ok(Self { nominal, upper: width, lower: Micrometres::ZERO, it, written })
+        Ok(Self { nominal, upper: width, lower: Micrometres::ZERO, it, written, limits: LimitsOf::Drawing })
     }
 
-    /// The hole under a thread, of the grade `thread-hole-grade` of `hole-defaults` (textbook 1.2.1): from its
-    /// nominal diameter upwards. `written` is the thread as the drawing writes it.
+    /// The hole that is drilled for a thread, within the limits of its minor diameter 6H; tables are asked by the grade of
+    /// `hole-defaults` (textbook 1.2.1). A conical thread has no such limits: its hole is of that grade, from its nominal
+    /// diameter upwards.
     ///
     /// # Errors
     /// The tables lack the grade or its width.
-    pub fn under_thread(nominal: Micrometres, written: &str, knowledge: &Knowledge) -> Result<Self, Note> {
+    pub fn under_thread(nominal: Micrometres, thread: &Thread, knowledge: &Knowledge) -> Result<Self, Note> {
         let grade = convention(HoleDefault::ThreadHoleGrade, knowledge)? as u8;
         let it = ItGrade::new(grade).ok_or_else(|| note!("part-thread-hole-grade-no-tolerance", grade = grade))?;
-        let upper = tolerance_width(it, nominal, knowledge)?;
-        Ok(Self { nominal, upper, lower: Micrometres::ZERO, it, written: written.to_owned() })
+        let written = thread.written.clone();
+        let minor = match thread.kind {
+            ThreadKind::Cylindrical => {
+                let limits = minor_diameter(thread.size, thread.pitch, knowledge);
+                Some(limits.map_err(|error| Note::from(&error))?)
+            }
+            ThreadKind::Conical => None,
+        };
+        let Some((smallest, largest)) = minor.filter(|(least, most)| (least..=most).contains(&&nominal)) else {
+            let upper = tolerance_width(it, nominal, knowledge)?;
+            return Ok(Self { nominal, upper, lower: Micrometres::ZERO, it, written, limits: LimitsOf::Drawing });
+        };
+        let (upper, lower) = (largest - nominal, smallest - nominal);
+        Ok(Self { nominal, upper, lower, it, written, limits: LimitsOf::Thread })
     }
 
     /// From limits: the coarsest grade whose tolerance is within the limits.
@@ -184,7 +215,7 @@ impl ToleratedDiameter {
         let it = limits.grade_among(6..=14, nominal, knowledge).map_err(|error| Note::from(&error))?;
         let it = it.ok_or_else(|| note!("part-tolerance-mm-tighter-than-grade", given = given, nominal = nominal))?;
         let written = format!("{nominal} {limits}");
-        Ok(Self { nominal, upper, lower, it, written })
+        Ok(Self { nominal, upper, lower, it, written, limits: LimitsOf::Drawing })
     }
 }
 

@@ -67,6 +67,8 @@ pub enum CutterFault {
     NoTeethInMiddle { diameter: Micrometres, widest: Micrometres },
     /// It is too short.
     DoesNotReach { reach: Micrometres, needed: Micrometres },
+    /// Its flutes reach, but leave too little open for chips to get out.
+    FlutesClose { flutes: Micrometres, needed: Micrometres, room: Micrometres },
 }
 
 /// Why a holder is not suitable for a cutter.
@@ -84,7 +86,7 @@ pub enum HolderFault {
     /// An arbor for another bore.
     OtherBore { own: Micrometres, taken: Micrometres },
     /// The overhang does not reach the depth.
-    StandsOutTooLittle { reach: Micrometres, needed: Micrometres },
+    StandsOutTooLittle { reach: Micrometres, needed: Micrometres, over_face: Micrometres },
     /// The arbor is too thick for the hole.
     ArborDoesNotEnter { arbor: Micrometres, hole: Micrometres },
     /// The assembly is longer than the machine takes.
@@ -129,7 +131,8 @@ impl Unfit {
 
     /// Whether the cutter itself is too short.
     pub const fn is_of_reach(&self) -> bool {
-        matches!(self, Self::Cutter { fault: CutterFault::DoesNotReach { .. }, .. })
+        let Self::Cutter { fault, .. } = self else { return false };
+        matches!(fault, CutterFault::DoesNotReach { .. } | CutterFault::FlutesClose { .. })
     }
 
     /// The sentence.
@@ -218,6 +221,9 @@ impl CutterFault {
             }
             Self::NoTeethInMiddle { diameter, .. } => new("no-teeth-in-middle").with("diameter", diameter),
             Self::DoesNotReach { reach, needed } => new("does-not-reach").with("reach", reach).with("needed", needed),
+            Self::FlutesClose { flutes, needed, room } => {
+                new("flutes-close").with("flutes", flutes).with("needed", needed).with("room", room)
+            }
         }
     }
 }
@@ -236,8 +242,8 @@ impl HolderFault {
             }
             Self::OtherMorse { own, taken } => new("other-morse").with("own", own).with("taken", taken),
             Self::OtherBore { own, taken } => new("other-bore").with("own", own).with("taken", taken),
-            Self::StandsOutTooLittle { reach, needed } => {
-                new("stands-out-too-little").with("reach", reach).with("needed", needed)
+            Self::StandsOutTooLittle { reach, needed, over_face } => {
+                new("stands-out-too-little").with("reach", reach).with("needed", needed).with("over_face", over_face)
             }
             Self::ArborDoesNotEnter { arbor, hole } => {
                 new("arbor-does-not-enter").with("arbor", arbor).with("hole", hole)

@@ -7,7 +7,7 @@ use crate::error::KnowledgeError;
 use crate::job::Duration;
 use crate::knowledge::query::TypedAnswer;
 use crate::note::{Because, Figure, Note};
-use crate::part::{Hole, ToleratedDiameter, tolerance_width};
+use crate::part::{Hole, LimitsOf, ToleratedDiameter, tolerance_width};
 use crate::plan::{Conditions, Feature, Operation};
 use crate::route::RouteStep;
 use crate::shop::Shop;
@@ -51,7 +51,7 @@ impl<'k> Finer<'k> {
         let lower = upper - tolerance;
         let nominal = drawn.nominal;
         let written = format!("{nominal} {upper}/{lower}");
-        let diameter = ToleratedDiameter { nominal, upper, lower, it: rule.before, written };
+        let diameter = ToleratedDiameter { nominal, upper, lower, it: rule.before, written, limits: LimitsOf::Drawing };
         let here = Hole { diameter, roughness: roughness.max(allowance.before), ..hole.clone() };
         let operation = rule.operation;
         Ok(Some(Self { here, diameter: drawn.clone(), roughness, operation, asked, stock }))

@@ -9,6 +9,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use crate::chip_room::holder_over_face;
 use crate::cutting::{self, CardDoubt, Cut, Surface};
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::job::{self, Duration, Feeding};
@@ -169,6 +170,8 @@ pub(super) struct Fitting<'p, 'k> {
     /// Room for chips below a reamer in a blind hole, where the part has it.
     reamer_chip_room: Micrometres,
     thickness: Micrometres,
+    /// How far a holder must stay over the face.
+    over_face: Micrometres,
     /// Lead of a tap, pitches.
     tap_lead: f64,
     known: RefCell<BTreeMap<StepKey, Result<ToolAndConditions, Reason>>>,
@@ -220,6 +223,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             flat_floor_gap: shop.convention(HoleDefault::FlatFloorGap)?,
             reamer_chip_room: shop.convention(HoleDefault::ReamerChipRoom)?,
             thickness: part.blank.thickness,
+            over_face: holder_over_face(knowledge)?,
             tap_lead: shop.share(HoleDefault::TapLeadPitches)?,
             known: RefCell::new(BTreeMap::new()),
             spots: RefCell::new(BTreeMap::new()),
@@ -357,7 +361,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
                 let short = run_out <= lead;
                 let name = if short { HoleDefault::TapLeadPitches } else { HoleDefault::ThreadRunoutPitches };
                 let code = if short { "thread-runout-short" } else { "thread-runout" };
-                cite(name, Note::new(code).with("runout", run_out))?;
+                let usual = Micrometres::from_mm_rounded(pitch * self.shop.share(HoleDefault::ThreadRunoutPitches)?);
+                let note = Note::new(code).with("runout", run_out);
+                cite(name, if short { note.with("usual", usual) } else { note })?;
             }
             _ => {}
         }
@@ -387,6 +393,12 @@ impl<'p, 'k> Fitting<'p, 'k> {
             enters: step.entered.unwrap_or(step.from),
             passes: step.passes,
             reach,
+            // A step drill has no flutes of one diameter, and its narrow part has a length of its own.
+            chip_room: match step.also {
+                None if !unknown => self.chip_room(step.operation, &step.place, step.diameter)?,
+                _ => Micrometres::ZERO,
+            },
+            over_face: if unknown { Micrometres::ZERO } else { self.over_face },
             through: step.place.through,
             lead: Some(self.lead),
             thread: self.hole.thread_at(step.place.step).map(|thread| thread.id.as_str()),

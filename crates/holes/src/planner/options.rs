@@ -203,7 +203,7 @@ pub(super) fn options(
 
 /// Every route of a group of holes on this machine. A free floor is made flat where no route leaves the cone of a drill: its
 /// point may come through the part, and what a flat floor permits is permitted by a free one. Under a blind thread without room
-/// for the usual run-out the drill goes as deep as the lead of the tap.
+/// for the usual run-out the drill goes deeper by the lead of the tap alone, and no less.
 ///
 /// # Errors
 /// As for [`options`].
@@ -217,9 +217,16 @@ fn options_here(
     let meets = |options: &Options| options.choices.iter().any(Choice::meets_requirements);
     let usual = HoleDefault::ThreadRunoutPitches;
     let own = options_as_drawn(hole, part, preference, usual, drills, shop)?;
-    if hole.thread.is_some() && !hole.through && own.choices.is_empty() {
-        let short = options_as_drawn(hole, part, preference, HoleDefault::TapLeadPitches, drills, shop)?;
-        return Ok(if short.choices.is_empty() { own } else { short });
+    if let Some(thread) = hole.thread.as_ref().filter(|_| !hole.through && own.choices.is_empty()) {
+        // Where this does not go either, the refusal is that of the lead: no depth less than that makes the thread.
+        let lead = HoleDefault::TapLeadPitches;
+        let mut short = options_as_drawn(hole, part, preference, lead, drills, shop)?;
+        if !short.choices.is_empty() {
+            let pitch = |name| Ok(Micrometres::from_mm_rounded(thread.pitch.to_mm() * shop.share(name)?));
+            let note = Note::new("thread-runout-short").with("runout", pitch(lead)?);
+            short.remarks.push(note.with("usual", pitch(usual).map_err(Refusal::Knowledge)?));
+        }
+        return Ok(short);
     }
     if hole.through || hole.thread.is_some() || hole.bottom == Bottom::Flat || meets(&own) {
         return Ok(own);
@@ -244,8 +251,12 @@ fn options_as_drawn(
     let task = bores::task_with_run_out(hole, part, run_out, shop)?;
     let fitting = Fitting::new(hole, &task.edges, part, shop)?;
     let main = &task.main;
-    let reached = |size: &&DrillSize| size.reach >= fitting.drill_reach(&main.place, size.diameter);
-    let drills: Vec<Micrometres> = all_drills.iter().filter(reached).map(|size| size.diameter).collect();
+    let mut drills = Vec::new();
+    for size in all_drills {
+        if size.reach >= fitting.drill_reach(&main.place, size.diameter)? {
+            drills.push(size.diameter);
+        }
+    }
     let written = accuracy::centre_tolerance(hole, shop).map_err(Refusal::Not)?;
     // The tables assume machined faces: for an unmachined face they are queried with a tighter tolerance.
     let rough_face = accuracy::rough_face(main, part, shop)?;
@@ -327,7 +338,7 @@ fn options_as_drawn(
     if options.choices.is_empty()
         && let Some(short) = too_short(&options.refused, all_drills, &drills, shop.machine.drill_max)
     {
-        let needed = fitting.drill_reach(&main.place, short.diameter);
+        let needed = fitting.drill_reach(&main.place, short.diameter)?;
         let why = Reason::DrillsTooShort { diameter: short.diameter, reach: short.reach, needed };
         options.refused.push(no_candidate(RouteSource::Search, "next-transition", why));
     }

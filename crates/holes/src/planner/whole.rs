@@ -128,8 +128,9 @@ impl Finder<'_, '_> {
     /// and fits them all.
     fn fit_hole(&self, mut steps: Vec<RouteStep>, candidate: &Candidate, joined: bool) -> Tried<Vec<Fitted>> {
         let main = &self.task.main;
+        let finish = main.required_finish(self.shop)?;
         for step in &mut steps {
-            step.required_finish = Some((main.diameter.it, main.roughness));
+            step.required_finish = Some(finish);
         }
         let promise = candidate.promise.filter(|_| !candidate.finish_elsewhere);
         accuracy::write(&mut steps, main, promise, self.position, self.shop)?;
@@ -254,7 +255,7 @@ impl Finder<'_, '_> {
         let question = SchemeQuestion { bore, ..self.question };
         let sizes = Sizes { start: Some(start), ..self.sizes };
         let cost = |steps: &[RouteStep]| self.cost(steps);
-        let boring = self.boring_required()?;
+        let (boring, finish) = (self.boring_required()?, bore.required_finish(self.shop)?);
         let mut best: Option<(Worse, Vec<RouteStep>)> = None;
         let mut why = None;
         for candidate in openings::candidates(bore, &question, &sizes, &cost, self.shop)? {
@@ -262,7 +263,7 @@ impl Finder<'_, '_> {
                 let sizes = Sizes { bore_large, ..sizes };
                 let made = diameters::steps(&candidate, bore, &sizes, self.shop).and_then(|mut steps| {
                     for step in &mut steps {
-                        step.required_finish = Some((bore.diameter.it, bore.roughness));
+                        step.required_finish = Some(finish);
                     }
                     let promise = candidate.promise.filter(|_| !candidate.finish_elsewhere);
                     accuracy::write(&mut steps, bore, promise, self.position.following(), self.shop)?;

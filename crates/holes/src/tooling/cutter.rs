@@ -115,6 +115,10 @@ pub struct CutterNeed<'a> {
     pub passes: u32,
     /// How far it must reach into the hole.
     pub reach: Micrometres,
+    /// The length of a drill's flutes that must stay open over the hole.
+    pub chip_room: Micrometres,
+    /// How far its holder must stay over the face.
+    pub over_face: Micrometres,
     /// Whether the hole goes through.
     pub through: bool,
     /// The lead angle of a reamer, by the rule `reamer-lead`.
@@ -162,6 +166,8 @@ impl CutterNeed<'_> {
             enters: Micrometres::ZERO,
             passes: 1,
             reach: Micrometres::ZERO,
+            chip_room: Micrometres::ZERO,
+            over_face: Micrometres::ZERO,
             through: true,
             lead: None,
             thread: None,

@@ -243,8 +243,9 @@ fn too_short(
     let shell = cutter.head.shank == Shank::Shell;
     // The arbor of a shell cutter follows it into the hole; any other cutter must reach by itself.
     let reach = if shell { row.length + overhang } else { overhang };
-    if reach < need.reach {
-        return Some(HolderFault::StandsOutTooLittle { reach, needed: need.reach });
+    let over_face = if shell { Micrometres::ZERO } else { need.over_face };
+    if reach < need.reach + over_face {
+        return Some(HolderFault::StandsOutTooLittle { reach, needed: need.reach, over_face });
     }
     let thick = row.max_diameter.filter(|thick| shell && *thick >= need.diameter);
     thick.map(|arbor| HolderFault::ArborDoesNotEnter { arbor, hole: need.diameter })

@@ -73,7 +73,11 @@ fn fault(row: &CutterRow<'_>, head: &ToolHead, need: &CutterNeed<'_>, machine: &
         Some((start, around)) if passes(around) => need.reach - start,
         _ => need.reach,
     };
-    (reach < needed).then_some(CutterFault::DoesNotReach { reach, needed })
+    if reach < needed {
+        return Some(CutterFault::DoesNotReach { reach, needed });
+    }
+    let (flutes, room) = (row.flute_length?, need.chip_room);
+    (room > Micrometres::ZERO && flutes < needed + room).then_some(CutterFault::FlutesClose { flutes, needed, room })
 }
 
 /// How deep a reamer goes: to the end of its neck, which is its whole overhang.

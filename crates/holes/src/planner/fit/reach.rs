@@ -1,5 +1,7 @@
 //! How deep the tools of a hole go: approach and overrun, points, leads, and what lies beyond the hole.
 
+use crate::chip_room::{Drilling, chip_room};
+use crate::error::KnowledgeError;
 use crate::note::{Because, Note};
 use crate::part::Face;
 use crate::plan::{Feature, Operation};
@@ -15,9 +17,22 @@ impl Fitting<'_, '_> {
         &self.travels[usize::from(through)]
     }
 
-    /// How deep a drill of that diameter must reach in a cylinder: depth, point and overrun together.
-    pub fn drill_reach(&self, place: &StepLocation, diameter: Micrometres) -> Micrometres {
-        place.depth + cone(diameter, self.drill_point) + self.travels(place.through).1
+    /// How deep a drill of that diameter must reach in a cylinder: depth, point, overrun and room for chips together.
+    pub fn drill_reach(&self, place: &StepLocation, diameter: Micrometres) -> Result<Micrometres, KnowledgeError> {
+        let depth = place.depth + cone(diameter, self.drill_point) + self.travels(place.through).1;
+        Ok(depth + self.chip_room(Operation::Drill, place, diameter)?)
+    }
+
+    /// The length of a drill's flutes that must stay open over the hole.
+    pub(super) fn chip_room(
+        &self,
+        operation: Operation,
+        place: &StepLocation,
+        diameter: Micrometres,
+    ) -> Result<Micrometres, KnowledgeError> {
+        let (depth, point) = (place.depth - place.start, self.point(diameter));
+        let material_group = self.shop.material.group;
+        chip_room(&Drilling { operation, diameter, depth, point, material_group }, self.shop.knowledge)
     }
 
     /// The height of a drill's point.
