@@ -195,7 +195,7 @@ impl<'a> Context<'a> {
         let stated = self.stated.clamping.as_ref().map(|clamping| clamping.at.as_slice()).unwrap_or_default();
         let drawn: Vec<Point> = self.stated.part.fixture.clamps.iter().map(|clamp| clamp.at).collect();
         let clamps = if stated.is_empty() { &drawn } else { stated };
-        let nearest = hole.at.iter().filter_map(|point| point.to_nearest(clamps));
+        let nearest = hole.ways().flat_map(|way| clamps.iter().map(move |clamp| way.nearest(*clamp)));
         nearest.filter(|distance| distance.micrometres() > 0).min()
     }
 

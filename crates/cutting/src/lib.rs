@@ -24,13 +24,14 @@ pub mod state;
 pub mod tapping;
 
 // The types of other crates, under one name each in the whole program.
-use technolog_core::{error, material, note, plan, practice_speed, reason, shop};
+use technolog_core::{error, material, note, part, plan, practice_speed, reason, shop};
 use technolog_knowledge::{self as knowledge, units};
 use technolog_tables as tables;
 
 use crate::error::{Refusal, Tried};
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::Because;
+use crate::part::Slot;
 use crate::plan::{Conditions, Limit, Operation};
 use crate::reason::{Reason, Uncut};
 use crate::shop::{Shop, programmed_feed};
@@ -90,8 +91,8 @@ pub struct Cut {
     pub around: Option<Micrometres>,
     /// Whether the mill cuts on its way down.
     pub plunges: bool,
-    /// How long a slot is, from the middle of one end radius to that of the other; absent for what is round.
-    pub slot: Option<Micrometres>,
+    /// How a slot or a pocket runs that is cut; absent for what is round.
+    pub slot: Option<Slot>,
 }
 
 /// The figures of a mill for its conditions.

@@ -39,11 +39,14 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
     if cut.slot.is_none() && mill.diameter >= cut.from {
         return Err(Refusal::Not(Uncut::MillDoesNotEnter { diameter: mill.diameter, hole: cut.from }));
     }
+    let (tabulated, reasons) = feed_per_tooth(cut, mill, shop)?;
     let (rounds, mut because) = match cut.slot {
-        Some(length) => slotting::rounds(cut, mill, length, shop)?,
+        Some(slot) => {
+            let tooth_feed = taken.map_or(tabulated, |feed| feed.0 / f64::from(mill.teeth));
+            slotting::rounds(cut, mill, slot, tooth_feed, shop)?
+        }
         None => rounds(cut, mill, shop)?,
     };
-    let (tabulated, reasons) = feed_per_tooth(cut, mill, shop)?;
     because.extend(reasons);
     // Centre feed per revolution over feed per tooth at the wall.
     let ratio = f64::from(mill.teeth) * rounds.centre_share;

@@ -2,16 +2,18 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Note};
+use crate::part::Slot;
 use crate::plan;
 use crate::shop::Shop;
 use crate::tables::cutting::{MillingDepth, MillingStep};
+use crate::tables::holes::HoleDefault;
 use crate::tables::rules::PlungeFeedFor;
 use crate::units::{Micrometres, round_to};
 
 use super::milling::{Rounds, parts};
 use super::{AnotherFeed, Cut, CutterShape};
 
-/// The passes of one slot that is `length` long between the middles of its end radii.
+/// The passes of one slot or pocket.
 ///
 /// In solid metal the first pass goes along the middle: t = D, the whole mill stands in the metal, and a level is no deeper than
 /// the row `slot` of `milling-depth`. The passes that widen it take no more than the row `radial`. Where the slot is there already,
@@ -19,20 +21,25 @@ use super::{AnotherFeed, Cut, CutterShape};
 ///
 /// - along the middle: length in every level, each from the end where the one above it ended, and once more where their number is
 ///   odd: the mill comes out where it went in;
-/// - round along the walls: 2·length straight, 2·π·r on the two arcs with r = (d - D)/2, d the width of the pass;
-/// - out to the walls of a level and back: 2·r of its last pass.
+/// - round along the walls, with r = (d - D)/2, d the width of the pass: 2·length straight, 2·π·r on the arcs of the ends; in a
+///   pocket 2·length + 8·(r - c) straight, 2·π·c in the corners, c the radius of the way of the mill's middle there;
+/// - onto the walls by a quarter of l, the less of r and D/2, and off them by a quarter of l/2, each with the way from or to the
+///   middle.
 ///
 /// Along a wall the middle of the mill is as fast as its teeth there. On an arc the wall lies further out, and the middle is fed by
-/// r/(r + D/2) of that: by the share of the first, narrowest pass.
+/// r/(r + D/2) of that, by the share of the tightest arc (Sandvik Coromant, heat resistant super alloys, p. 110: vf =
+/// (Dm - Dc)/Dm·vfm); but by no less than the convention `least-feed-per-tooth-mm`: a chip as thin as the edge is round is rubbed,
+/// not cut. `feed_per_tooth` is that along the walls, mm.
 pub(super) fn rounds(
     cut: &Cut,
     mill: CutterShape,
-    length: Micrometres,
+    slot: Slot,
+    feed_per_tooth: f64,
     shop: &Shop<'_>,
 ) -> Result<(Rounds, Vec<Because>), KnowledgeError> {
     let step = |step: MillingStep| shop.knowledge.need(step.name(), |row: &MillingDepth<'_>| row.name == step);
     let solid = cut.from == Micrometres::ZERO;
-    let (d, width, along) = (mill.diameter.to_mm(), cut.diameter.to_mm(), length.to_mm());
+    let (d, width, along) = (mill.diameter.to_mm(), cut.diameter.to_mm(), slot.length().to_mm());
     let radial = step(MillingStep::Radial)?;
     let axial = step(if solid { MillingStep::Slot } else { MillingStep::Axial })?;
     let before = if solid { d } else { cut.from.to_mm() };
@@ -42,13 +49,26 @@ pub(super) fn rounds(
 
     let each = f64::from(levels);
     let radius = |pass: u32| (before + 2.0 * stock * f64::from(pass) / f64::from(widening) - d) / 2.0;
-    let on_arcs: f64 = (1..=widening).map(|pass| 2.0 * std::f64::consts::PI * radius(pass)).sum();
-    let out = if widening > 0 { 2.0 * radius(widening) } else { 0.0 };
+    // In a corner the ways further in are rounded less.
+    let in_corner =
+        |pass: u32| slot.corner.map(|own| (own.to_mm() - d / 2.0 - radius(widening) + radius(pass)).max(0.0));
+    let (mut on_arcs, mut beside) = (0.0, 0.0);
+    let mut tightest = f64::INFINITY;
+    for pass in 1..=widening {
+        let r = radius(pass);
+        let (on, off) = (r.min(d / 2.0), r.min(d / 2.0) / 2.0);
+        let turned = in_corner(pass).unwrap_or(r);
+        on_arcs += std::f64::consts::PI * (2.0 * turned + (on + off) / 2.0);
+        let ends = if slot.corner.is_some() { 8.0 * (r - turned) } else { 0.0 };
+        beside += 2.0 * along + ends + libm::hypot(on, r - on) + libm::hypot(off, r - off);
+        tightest = [turned, on].into_iter().filter(|own| *own > 0.0).fold(tightest, f64::min);
+    }
     let middle = if solid { each * along + f64::from(levels % 2) * along } else { 0.0 };
-    let straight = middle + each * (f64::from(widening) * 2.0 * along + out);
+    let straight = middle + each * beside;
+    let least = shop.convention(HoleDefault::LeastFeedPerTooth)?.to_mm();
     let arcs = (widening > 0).then(|| {
-        let first = radius(1);
-        AnotherFeed { share: first / (first + d / 2.0), travel: each * on_arcs }
+        let share = (tightest / (tightest + d / 2.0)).max(least / feed_per_tooth).min(1.0);
+        AnotherFeed { share, travel: each * on_arcs }
     });
 
     let radial_depth = if solid { d } else { stock / f64::from(widening.max(1)) };
@@ -62,7 +82,10 @@ pub(super) fn rounds(
         .with("path", round_to(straight + each * on_arcs, 1));
     let mut because = vec![Because::row(axial.row, note)];
     because.extend(arcs.map(|arcs| {
-        let note = Note::new("slot-arc-feed").with("passes", widening).with("percent", round_to(arcs.share * 100.0, 1));
+        let note = Note::new("slot-arc-feed")
+            .with("passes", widening)
+            .with("percent", round_to(arcs.share * 100.0, 1))
+            .with("least", least);
         Because::row(radial.row, note)
     }));
     let (mut path, mut plunge) = (straight, None);

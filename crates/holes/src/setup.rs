@@ -260,7 +260,7 @@ fn clamped(
     let (mut turns, mut pushes) = ((NewtonMetres(0.0), ""), Newtons(0.0));
     for (plan, hole) in holes.iter().zip(&part.holes) {
         // The point nearest to a clamp needs the most against turning; against sliding all need the same.
-        let distances = hole.ways().flat_map(|way| clamps.iter().map(move |clamp| way.distance(*clamp)));
+        let distances = hole.ways().flat_map(|way| clamps.iter().map(move |clamp| way.nearest(*clamp)));
         let Some(distance) = distances.filter(|distance| *distance > Micrometres::ZERO).min() else { continue };
         for (Load { torque, side, operation, .. }, row) in loads_of(plan, shop)? {
             let by_book = k * torque.0 / (f * distance.to_mm() / 1000.0);
@@ -393,7 +393,7 @@ fn beside_strap(
         let here = plan.transitions.iter().filter(|one| !one.elsewhere);
         let widest = here.map(|one| one.diameter_mm.max(one.tool.diameter_mm)).max().unwrap_or_default();
         let room = widest.max(hole.diameter.nominal).half() + side;
-        hole.ways().any(|way| straps.iter().any(|strap| strap.is_hit(way.from, way.to, room)))
+        hole.ways().any(|way| straps.iter().any(|strap| strap.is_hit(way.from, way.to, room - way.thinner)))
     });
     Ok(near.map(|(plan, _)| {
         let note = Note::new("strap-near-hole").with("screw", &clamping.screw).with("width", strap.width_mm);

@@ -189,6 +189,7 @@ fn slot(
         |own: Option<MillimetresPerMinute>| own.map(|own| programmed_feed(own, shop.knowledge)).transpose();
     let radius = |pass: u32| (rounds.after(pass, transition.diameter) - rounds.mill_diameter_mm).half();
     let first = 1 + u32::from(rounds.along_middle);
+    let lead = rounds.mill_diameter_mm.half();
     Ok(CycleKind::Slot(SlotCycle {
         plunge_mm_per_min: programmed(rounds.plunge_feed_mm_per_min)?,
         arc_mm_per_min: programmed(rounds.arc_feed_mm_per_min)?.unwrap_or(along),
@@ -196,6 +197,8 @@ fn slot(
         levels: levels(transition, rounds, top, resolution),
         along_middle: rounds.along_middle,
         radii: (first..=rounds.passes).map(|pass| radius(pass).on_grid(resolution)).collect(),
+        corner: run.corner.map(|corner| corner - lead),
+        lead,
         sense,
     }))
 }

@@ -46,7 +46,7 @@ pub use envelope::{Body, BodyKind, Envelope};
 pub use make::make;
 pub use norm::{GivenTimes, Norm, NormItem, norm};
 pub use shop::convention;
-pub use slot_path::{SlotMotion, SlotMove};
+pub use slot_path::{SlotMotion, SlotMove, Turn};
 use time::timed;
 pub use time::{Duration, Hands};
 pub use unfinished::{Left, Unfinished};
@@ -307,6 +307,12 @@ pub struct SlotCycle {
     pub along_middle: bool,
     /// How far from the middle line the mill's own middle goes round, outwards.
     pub radii: Vec<Micrometres>,
+    /// Of a pocket the radius of the way of the mill's middle in the corners of the last way round; in those before it smaller by as
+    /// much as they lie further in.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner: Option<Micrometres>,
+    /// The largest radius by which it comes onto a wall: that of the mill.
+    pub lead: Micrometres,
     /// The direction: with a clockwise spindle counterclockwise is climb milling.
     pub sense: Sense,
 }

@@ -183,7 +183,7 @@ fn rounds(
                 None => {
                     let hole = plan.part.holes.iter().find(|hole| hole.name == stop.hole);
                     let pitch = hole.and_then(|hole| hole.thread_at(transition.step)).map(|thread| thread.pitch);
-                    let slot = hole.and_then(|hole| hole.slot);
+                    let slot = hole.and_then(|hole| hole.slot_to(transition.diameter_mm));
                     let feeding = Feeding { slot, ..Feeding::of(transition, pitch) };
                     let made = cycle(&feeding, plan.part.datum.top, shop)?;
                     let cooled = match transition.conditions.coolant {

@@ -3,7 +3,7 @@
 use crate::machine::Machine;
 use crate::motion::Axis;
 use crate::note::{Figure, Finding, Note, Severity};
-use crate::part::{Part, Point, Way};
+use crate::part::{Part, Point, Slot, Way};
 use crate::plan::Plan;
 use crate::units::Micrometres;
 use crate::zone;
@@ -14,18 +14,17 @@ use super::{CycleKind, SetUp, Stop, ToolWork};
 pub(super) fn swing(work: &ToolWork, cycle: usize) -> Micrometres {
     match work.cycles.get(cycle).map(|cycle| &cycle.kind) {
         Some(CycleKind::Circles { radii, .. }) => radii.iter().copied().max().unwrap_or_default(),
-        Some(CycleKind::Slot(slot)) => slot.widest(),
+        Some(CycleKind::Slot(slot)) => slot.reach(),
         _ => Micrometres::ZERO,
     }
 }
 
 /// The line of a stop: its point, or the middle line of its slot.
 pub(super) fn way(work: &ToolWork, stop: &Stop) -> Way {
-    let to = match work.cycles.get(stop.cycle).map(|cycle| &cycle.kind) {
-        Some(CycleKind::Slot(slot)) => slot.run.far(stop.at),
-        _ => stop.at,
-    };
-    Way { from: stop.at, to }
+    match work.cycles.get(stop.cycle).map(|cycle| &cycle.kind) {
+        Some(CycleKind::Slot(slot)) => slot.run.middle(stop.at),
+        _ => Slot::default().middle(stop.at),
+    }
 }
 
 /// The points of a set-up, each with how far the axis of a tool goes from it, and its hole.

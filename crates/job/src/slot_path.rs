@@ -21,8 +21,27 @@ pub enum SlotMotion {
     Down(Micrometres),
     /// Straight across.
     Across,
-    /// Half round, about that centre, from the point of the slot.
-    Half([Micrometres; 2]),
+    /// Round about that centre, from the point of the slot.
+    Arc([Micrometres; 2], Turn),
+}
+
+/// How far an arc goes round.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// Onto a wall or off it.
+    Quarter,
+    /// Round an end.
+    Half,
+}
+
+impl Turn {
+    /// The length of the arc over that of its chord: an angle α over 2·sin(α/2).
+    pub fn over_chord(self) -> f64 {
+        match self {
+            Self::Quarter => std::f64::consts::FRAC_PI_2 / std::f64::consts::SQRT_2,
+            Self::Half => std::f64::consts::FRAC_PI_2,
+        }
+    }
 }
 
 impl Cycle {
@@ -30,14 +49,15 @@ impl Cycle {
     ///
     /// 1. down, where the level above ended;
     /// 2. along the middle to the other end;
-    /// 3. for each radius out to the wall, along it, round the other end, back, and round this end;
-    /// 4. back to the middle.
+    /// 3. for each radius r to where a quarter of r, or of the radius of the mill if that is less, leads onto the wall at this end;
+    ///    round this end, along the wall, round the other end, back along the other wall, a quarter half as large off it, and to the
+    ///    middle. So no wall is met or left square, where a mill that stands still digs in. Round an end is half a circle, and of a
+    ///    pocket a quarter in each corner.
     ///
     /// After the last level back along the middle, where that ended at the other end.
     pub fn slot_path(slot: &SlotCycle, resolution: Micrometres) -> Vec<SlotMove> {
         let grid = |value: f64| Micrometres::from_mm_rounded(value).on_grid(resolution);
         let ends = [[0.0, 0.0], [slot.run.x.to_mm(), slot.run.y.to_mm()]];
-        let length = libm::hypot(ends[1][0], ends[1][1]);
         let middle = |end: usize| ends[end].map(grid);
         let mut moves = Vec::new();
         let mut at = 0;
@@ -48,24 +68,10 @@ impl Cycle {
                 moves.push(SlotMove { to: middle(at), motion: SlotMotion::Across });
             }
             let other = 1 - at;
-            // Across the slot, to the right of the way from here to the other end; a clockwise way keeps to the left.
-            let [dx, dy] = [0, 1].map(|axis| (ends[other][axis] - ends[at][axis]) / length);
-            let right = match slot.sense {
-                Sense::Counterclockwise => [dy, -dx],
-                Sense::Clockwise => [-dy, dx],
-            };
+            // Across the slot, to the left of the way from here to the other end; a clockwise way keeps to the right.
+            let aside = slot.aside(at == 0);
             for radius in slot.radii.iter().map(|radius| radius.to_mm()) {
-                // Both sides from one rounded step: an arc then ends as far from its centre as it begins.
-                let [x, y] = right.map(|share| grid(radius * share));
-                let near =
-                    |end: usize| SlotMove { to: [middle(end)[0] + x, middle(end)[1] + y], motion: SlotMotion::Across };
-                let far =
-                    |end: usize| SlotMove { to: [middle(end)[0] - x, middle(end)[1] - y], motion: SlotMotion::Across };
-                let half = |made: SlotMove, end| SlotMove { motion: SlotMotion::Half(middle(end)), ..made };
-                moves.extend([near(at), near(other), half(far(other), other), far(at), half(near(at), at)]);
-            }
-            if !slot.radii.is_empty() {
-                moves.push(SlotMove { to: middle(at), motion: SlotMotion::Across });
+                moves.extend(slot.round(aside, radius, (middle(at), middle(other)), resolution));
             }
         }
         if at == 1 {
@@ -76,12 +82,84 @@ impl Cycle {
 }
 
 impl SlotCycle {
+    /// The side on which a wall is begun, from the first end or from the other.
+    fn aside(&self, first: bool) -> [f64; 2] {
+        let [dx, dy] = self.run.direction();
+        let left = [-dy, dx];
+        if first == (self.sense == Sense::Counterclockwise) { left } else { [dy, -dx] }
+    }
+
+    /// One way round, from the middle here and back to it.
+    fn round(
+        &self,
+        aside: [f64; 2],
+        radius: f64,
+        (here, there): ([Micrometres; 2], [Micrometres; 2]),
+        resolution: Micrometres,
+    ) -> Vec<SlotMove> {
+        // All arcs are turned out of rounded steps: each then ends as far from its centre as it begins.
+        let step = |length: f64| aside.map(|share| Micrometres::from_mm_rounded(length * share).on_grid(resolution));
+        let ahead = |[x, y]: [Micrometres; 2]| match self.sense {
+            Sense::Counterclockwise => [y, Micrometres::ZERO - x],
+            Sense::Clockwise => [Micrometres::ZERO - y, x],
+        };
+        let plus = |[x, y]: [Micrometres; 2], [dx, dy]: [Micrometres; 2]| [x + dx, y + dy];
+        let minus = |[x, y]: [Micrometres; 2], [dx, dy]: [Micrometres; 2]| [x - dx, y - dy];
+        let straight = |to| SlotMove { to, motion: SlotMotion::Across };
+        let arc = |to, about, turn| SlotMove { to, motion: SlotMotion::Arc(about, turn) };
+        let lead = radius.min(self.lead.to_mm());
+        let (side, on, off) = (step(radius), step(lead), step(lead / 2.0));
+        let wall = plus(here, side);
+        let (about_on, about_off) = (minus(wall, on), minus(wall, off));
+        let mut moves = vec![straight(plus(about_on, ahead(on))), arc(wall, about_on, Turn::Quarter)];
+        match self.corner {
+            None => moves.extend([
+                arc(minus(here, side), here, Turn::Half),
+                straight(minus(there, side)),
+                arc(plus(there, side), there, Turn::Half),
+            ]),
+            Some(last) => {
+                let corner = step((last.to_mm() - (self.widest().to_mm() - radius)).max(0.0));
+                let (turn, inner) = (ahead(corner), minus(side, corner));
+                // From the middle of an end to the middles of its corner radii, each with where its arc begins and ends.
+                let beyond = ahead(inner);
+                let corners = [
+                    (plus(minus(here, beyond), inner), corner, minus([Micrometres::ZERO; 2], turn)),
+                    (
+                        minus(minus(here, beyond), inner),
+                        minus([Micrometres::ZERO; 2], turn),
+                        minus([Micrometres::ZERO; 2], corner),
+                    ),
+                    (minus(plus(there, beyond), inner), minus([Micrometres::ZERO; 2], corner), turn),
+                    (plus(plus(there, beyond), inner), turn, corner),
+                ];
+                for (about, begin, end) in corners {
+                    moves.push(straight(plus(about, begin)));
+                    if corner != [Micrometres::ZERO; 2] {
+                        moves.push(arc(plus(about, end), about, Turn::Quarter));
+                    }
+                }
+            }
+        }
+        moves.extend([straight(wall), arc(minus(about_off, ahead(off)), about_off, Turn::Quarter), straight(here)]);
+        moves
+    }
+
+    /// How far the mill's middle goes from the middle line at most, into the corners of a pocket, too: (r - c)·√2 + c.
+    pub fn reach(&self) -> Micrometres {
+        let widest = self.widest();
+        self.corner.map_or(widest, |corner| {
+            let corner = corner.to_mm().max(0.0);
+            Micrometres::from_mm_rounded((widest.to_mm() - corner) * std::f64::consts::SQRT_2 + corner)
+        })
+    }
+
     /// The feed of a motion, where that of the cycle is `along`.
     pub fn feed_of(&self, motion: SlotMotion, along: MillimetresPerMinute) -> MillimetresPerMinute {
         match motion {
             SlotMotion::Down(_) => self.plunge_mm_per_min.unwrap_or(along),
             SlotMotion::Across => along,
-            SlotMotion::Half(_) => self.arc_mm_per_min,
+            SlotMotion::Arc(..) => self.arc_mm_per_min,
         }
     }
 

@@ -130,7 +130,7 @@ impl Cycle {
                             down
                         }
                         SlotMotion::Across => libm::hypot(to[0] - at[0], to[1] - at[1]),
-                        SlotMotion::Half(_) => libm::hypot(to[0] - at[0], to[1] - at[1]) * std::f64::consts::FRAC_PI_2,
+                        SlotMotion::Arc(_, turn) => libm::hypot(to[0] - at[0], to[1] - at[1]) * turn.over_chord(),
                     };
                     at = to;
                     let feed = slot.feed_of(made.motion, self.feed_mm_per_min).0;

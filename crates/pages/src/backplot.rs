@@ -70,8 +70,8 @@ impl Placed {
         let (middle, back) = (part.middle().x, self.face == Face::Back);
         let turned = move |at: Point| Point { x: if back { middle + middle - at.x } else { at.x }, y: at.y };
         let all = move |hole: &'p Hole| {
-            let lies = move |way: Way| Way { from: turned(way.from), to: turned(way.to) };
-            hole.ways().map(move |way| (lies(way), hole.diameter.nominal, hole.name.as_str()))
+            let lies = move |way: Way| Way { from: turned(way.from), to: turned(way.to), ..way };
+            hole.middles().map(move |way| (lies(way), hole.diameter.nominal, hole.name.as_str()))
         };
         part.holes.iter().flat_map(all)
     }
@@ -272,7 +272,8 @@ fn draw(
         for (way, diameter, _) in placed.holes(frame.part) {
             let radius = (diameter.to_mm() / 2.0 * view.scale).max(1.0);
             let ends = [way.from, way.to].map(|end| view.at((end.x.to_mm(), end.y.to_mm())));
-            canvas.slot(ends, radius, "white", Some(HOLE));
+            let corner = way.corner.map(|corner| corner.to_mm() * view.scale);
+            canvas.opening(ends, (radius, corner), "white", Some(HOLE));
         }
         for (_, one) in frame.standing.iter().filter(|(setup, _)| *setup == placed.number) {
             clamp(canvas, one, &view);

@@ -99,16 +99,36 @@ impl Canvas {
         if a == b {
             return self.circle(a, radius, fill, pen);
         }
-        const PARTS: i32 = 16;
-        let along = libm::atan2(b.1 - a.1, b.0 - a.0);
-        let half = |middle: At, from: f64| {
-            (0..=PARTS).map(move |part| {
-                let angle = from + std::f64::consts::PI * f64::from(part) / f64::from(PARTS);
-                (middle.0 + radius * libm::cos(angle), middle.1 + radius * libm::sin(angle))
-            })
-        };
+        self.pocket([a, b], (radius, radius), fill, pen);
+    }
+
+    /// A slot, or a pocket where its corners have a radius of their own.
+    pub(super) fn opening(
+        &mut self,
+        ends: [At; 2],
+        (radius, corner): (f64, Option<f64>),
+        fill: &str,
+        pen: Option<Pen>,
+    ) {
+        match corner {
+            Some(corner) => self.pocket(ends, (radius, corner), fill, pen),
+            None => self.slot(ends, radius, fill, pen),
+        }
+    }
+
+    /// What extends so far about the line between two points and is rounded by another radius in its corners.
+    fn pocket(&mut self, [a, b]: [At; 2], (half, corner): (f64, f64), fill: &str, pen: Option<Pen>) {
+        const PARTS: i32 = 8;
         let quarter = std::f64::consts::FRAC_PI_2;
-        let corners: Vec<At> = half(b, along - quarter).chain(half(a, along + quarter)).collect();
+        let along = libm::atan2(b.1 - a.1, b.0 - a.0);
+        let square = half - corner;
+        let turned = |(x, y): At, angle: f64, by: f64| (x + by * libm::cos(angle), y + by * libm::sin(angle));
+        let mut corners: Vec<At> = Vec::new();
+        for (end, first) in [(b, along - quarter), (b, along), (a, along + quarter), (a, along + 2.0 * quarter)] {
+            let about = turned(turned(end, first, square), first + quarter, square);
+            let on = |part| turned(about, first + quarter * f64::from(part) / f64::from(PARTS), corner);
+            corners.extend((0..=PARTS).map(on));
+        }
         self.area(&corners, fill, pen);
     }
 

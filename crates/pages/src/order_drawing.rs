@@ -31,7 +31,7 @@ pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
     let holes: Vec<(Way, Micrometres)> = part
         .iter()
         .flat_map(|part| &part.holes)
-        .flat_map(|hole| hole.ways().map(|way| (way, hole.diameter.nominal)))
+        .flat_map(|hole| hole.middles().map(|way| (way, hole.diameter.nominal)))
         .collect();
     let plate = part.map(|part| {
         let (datum, blank) = (part.datum, part.blank);
@@ -71,7 +71,8 @@ pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
         }
         for (hole, diameter) in &holes {
             let radius = (mm(*diameter) / 2.0 * scale).max(1.0);
-            canvas.slot([at(&hole.from), at(&hole.to)], radius, "white", Some(Pen::solid("#999", 1.0)));
+            let (ends, corner) = ([at(&hole.from), at(&hole.to)], hole.corner.map(|corner| mm(corner) * scale));
+            canvas.opening(ends, (radius, corner), "white", Some(Pen::solid("#999", 1.0)));
         }
         let colour = COLOURS[number % COLOURS.len()];
         let back = panel.path.first().filter(|_| panel.closed);

@@ -218,6 +218,15 @@ pub(super) fn finding(page: &mut Document, plan: &Plan, finding: &Finding, lang:
         Severity::Note => (Shown::Note, say!(lang, "plan-note")),
     };
     let text = match &finding.hole {
+        Some(hole)
+            if plan
+                .part
+                .holes
+                .iter()
+                .any(|own| own.name == *hole && own.slot.is_some_and(|slot| slot.corner.is_some())) =>
+        {
+            say!(lang, "plan-of-pocket", pocket = Figure::called(hole), finding = finding.note.clone())
+        }
         Some(hole) if plan.part.holes.iter().any(|own| own.name == *hole && own.slot.is_some()) => {
             say!(lang, "plan-of-slot", slot = Figure::called(hole), finding = finding.note.clone())
         }

@@ -58,6 +58,9 @@ pub(super) fn sentence(plan: &Plan, work: &ToolWork, cycles: &[usize], lang: Lan
 fn holes(hole: &Hole, transition: &Transition, count: usize, lang: Lang) -> String {
     if let Some(size) = slot_size(hole, lang) {
         let (size, width) = (size.as_str(), transition.diameter_mm);
+        if hole.slot.is_some_and(|slot| slot.corner.is_some()) {
+            return say!(lang, "cycles-pocket", size = size, hole = hole.name.as_str(), width = width);
+        }
         return say!(lang, "cycles-slot", size = size, hole = hole.name.as_str(), width = width);
     }
     let (size, name) = (size_of(hole, transition), hole.name.as_str());

@@ -81,9 +81,11 @@ fn walls<'p>(part: &'p Part, shop: &Shop<'_>) -> Result<Vec<(&'p String, Fault)>
     let mut points: Vec<(Point, usize)> = Vec::new();
     for (index, hole) in part.holes.iter().enumerate() {
         points.extend(hole.at.iter().filter(|_| hole.slot.is_none()).map(|at| (*at, index)));
-        for at in hole.ends() {
+        let ends = hole.ways().flat_map(|way| [(way.from, way.thinner), (way.to, way.thinner)]);
+        for (at, thinner) in ends {
             let (left, front) = (at.x - part.datum.left, at.y - part.datum.front);
-            let edge = left.min(front).min(part.blank.length - left).min(part.blank.width - front);
+            let nearest = left.min(front).min(part.blank.length - left).min(part.blank.width - front);
+            let edge = nearest + thinner;
             for span in &spans[index] {
                 note((index, None), edge - span.diameter.half(), of_height(span.to - span.from));
             }

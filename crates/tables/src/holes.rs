@@ -83,6 +83,7 @@ vocabulary! {
         LeastStockDrillOut = "least-stock-drill-out-mm",
         LeastStockCoreDrill = "least-stock-core-drill-mm",
         LeastStockMill = "least-stock-mill-mm",
+        LeastFeedPerTooth = "least-feed-per-tooth-mm",
         FloorClearance = "floor-clearance-mm",
         FloorMillShare = "floor-mill-share",
         FlatFloorGap = "flat-floor-gap-mm",

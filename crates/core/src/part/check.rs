@@ -57,8 +57,8 @@ impl Group {
 
     /// The lines over which its axes extend, with their places.
     fn ways(&self) -> impl Iterator<Item = (Way, &Place)> {
-        let slot = self.slot.unwrap_or_default();
-        self.points.iter().map(move |(at, place)| (Way { from: *at, to: slot.far(*at) }, place))
+        let (slot, width) = (self.slot.unwrap_or_default(), self.widest().unwrap_or_default());
+        self.points.iter().flat_map(move |(at, place)| slot.ways(*at, width).into_iter().map(move |way| (way, place)))
     }
 
     /// The widest diameter anywhere in the hole.
@@ -108,7 +108,8 @@ pub(super) fn check_geometry(groups: &[Group], blank: &Blank, datum: &Datum, pro
 fn slot_inside(group: &Group, blank: &Blank, datum: &Datum, problems: &mut Problems) {
     let Some(width) = group.widest() else { return };
     for (way, place) in group.ways() {
-        let out = [way.from, way.to].into_iter().find(|end| reaches_out(*end, width.half(), blank, datum));
+        let out =
+            [way.from, way.to].into_iter().find(|end| reaches_out(*end, width.half() - way.thinner, blank, datum));
         if let Some(end) = out {
             let message = note!("part-slot-inside-blank", name = group.label(), width = width, x = end.x, y = end.y);
             problems.error_help::<()>("outside-blank", message, place, extent(blank, datum));

@@ -340,6 +340,7 @@ holes:
 slots:
   - {name: S, from: [200, 100], to: [240, 100], width: 12H12, depth: 10, roughness: Ra 6.3, centre_tolerance: 0.4}
   - {name: T, centre: [200, -100], length: 60, angle: 30, width: 14, through: true, roughness: Ra 12.5, centre_tolerance: 0.4}
+  - {name: U, centre: [100, 0], length: 60, width: 40, corner: 8, depth: 10, roughness: Ra 12.5, centre_tolerance: 0.4}
 ";
 
     fn root(path: &str) -> PathBuf {

@@ -247,7 +247,7 @@ pub struct Hole {
     /// The wider cylinders of a stepped hole beside the main one, from the entry face inwards.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub steps: Vec<HoleStep>,
-    /// How it runs on from each of its centres, where it is a slot: its width is `diameter`, its ends are round.
+    /// How it runs on from each of its centres, where it is a slot or a pocket: its width is `diameter`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slot: Option<Slot>,
     /// The centres.

@@ -21,17 +21,23 @@ enum Run {
 }
 
 impl Run {
-    /// The middle of its first end radius, and how it runs on from there; none where it is no longer than wide.
-    fn placed(self, width: Micrometres) -> Option<(Point, Slot)> {
+    /// The middle of its first end radius, and how it runs on from there; none where it is no longer than wide, which only a pocket
+    /// along the axes may be.
+    fn placed(self, width: Micrometres, corner: Option<Micrometres>) -> Option<(Point, Slot)> {
         let (from, to) = match self {
             Self::Ends(from, to) => (from, to),
+            Self::Middle(middle, length, turn) if corner.is_some() && length == width => {
+                let along = turn.place(middle, 1.0, 0.0);
+                let slot = Slot { corner, ..Slot::default() };
+                return (along.x == middle.x || along.y == middle.y).then_some((middle, slot));
+            }
             Self::Middle(middle, length, _) if length <= width => (middle, middle),
             Self::Middle(middle, length, turn) => {
                 let half = (length - width).to_mm() / 2.0;
                 (turn.place(middle, -half, 0.0), turn.place(middle, half, 0.0))
             }
         };
-        (from != to).then(|| (from, Slot { x: to.x - from.x, y: to.y - from.y }))
+        (from != to).then(|| (from, Slot { x: to.x - from.x, y: to.y - from.y, corner }))
     }
 }
 
@@ -50,6 +56,7 @@ impl Reader<'_> {
         let run = self.run(&mut fields);
         let width_node = fields.need(form::Slot::width, self.problems);
         let width = width_node.and_then(|node| self.diameter(node));
+        let corner = self.corner(&mut fields, width.as_ref().map(|width| width.nominal));
         let through = match fields.take(form::Slot::through) {
             Some(node) => self.problems.boolean(node),
             None => (!fields.means(form::Slot::through)).then_some(false),
@@ -68,9 +75,14 @@ impl Reader<'_> {
         let centre_tolerance = tolerance_node.and_then(|node| self.centre_tolerance(node));
         fields.finish(self.problems);
 
-        let (at, slot) = match (run, &width) {
-            (Some(run), Some(width)) => match run.placed(width.nominal) {
+        let (at, slot) = match (run, &width, corner) {
+            (Some(run), Some(width), Some(corner)) => match run.placed(width.nominal, corner) {
                 Some((at, slot)) => (Some(at), Some(slot)),
+                None if corner.is_some() => {
+                    let message =
+                        note!("part-pocket-length", name = name.as_deref().unwrap_or("?"), width = width.nominal);
+                    return self.problems.error_help("bad-value", message, place, note!("part-pocket-turn"));
+                }
                 None => {
                     let message =
                         note!("part-slot-is-a-hole", name = name.as_deref().unwrap_or("?"), width = width.nominal);
@@ -120,6 +132,25 @@ impl Reader<'_> {
             });
         }
         Some(group)
+    }
+
+    /// The radius of the corners of a pocket, `Some(None)` of a slot; none where it is wrong.
+    fn corner(
+        &mut self,
+        fields: &mut Fields<'_, form::Slot>,
+        width: Option<Micrometres>,
+    ) -> Option<Option<Micrometres>> {
+        let Some(node) = fields.take(form::Slot::corner) else { return Some(None) };
+        if fields.means(form::Slot::from) || fields.means(form::Slot::to) {
+            let help = note!("part-pocket-by-centre");
+            return self.problems.error_help("bad-value", note!("part-pocket-has-no-end-radii"), &node.place, help);
+        }
+        let corner = self.positive(node, "corner")?;
+        if width.is_some_and(|width| corner >= width.half()) {
+            let message = note!("part-pocket-corner", corner = corner, width = width.unwrap_or_default());
+            return self.problems.error_help("bad-value", message, &node.place, note!("part-pocket-is-a-slot"));
+        }
+        Some(Some(corner))
     }
 
     /// Where it runs: said in one of two ways, and not in both.
@@ -179,10 +210,10 @@ slots:
             let part = read(&format!("{run}, width: 12H12, depth: 8"), "").unwrap();
             (part.holes[0].at[0], part.holes[0].slot.unwrap())
         };
-        let lies = (Point { x: mm(-20), y: mm(10) }, Slot { x: mm(40), y: mm(0) });
+        let lies = (Point { x: mm(-20), y: mm(10) }, Slot { x: mm(40), ..Slot::default() });
         assert_eq!(slot("from: [-20, 10], to: [20, 10]"), lies);
         assert_eq!(slot("centre: [0, 10], length: 52"), lies, "the length is over all");
-        let stands = (Point { x: mm(0), y: mm(-10) }, Slot { x: mm(0), y: mm(20) });
+        let stands = (Point { x: mm(0), y: mm(-10) }, Slot { y: mm(20), ..Slot::default() });
         assert_eq!(slot("centre: [0, 0], length: 32, angle: 90"), stands);
     }
 
@@ -201,6 +232,20 @@ slots:
             ("from: [0, 0], to: [0, 0], width: 12, depth: 5", "", "is a round hole"),
             ("from: [0, 0], to: [96, 0], width: 12, depth: 5", "", "is not inside the blank"),
             ("from: [0, 0], to: [40, 0], width: 12", "", "`depth`"),
+            ("centre: [0, 0], length: 60, width: 40, corner: 20, depth: 5", "", "corner of 20 mm"),
+            ("from: [0, 0], to: [40, 0], width: 40, corner: 8, depth: 5", "", "no end radii"),
+            ("centre: [0, 0], length: 30, width: 40, corner: 8, depth: 5", "", "at least as long as it is wide"),
+            (
+                "centre: [0, 0], length: 40, angle: 30, width: 40, corner: 8, depth: 5",
+                "",
+                "at least as long as it is wide",
+            ),
+            ("centre: [60, 20], length: 60, angle: 45, width: 40, corner: 8, depth: 5", "", "is not inside the blank"),
+            (
+                "centre: [0, 0], length: 60, width: 40, corner: 8, depth: 5",
+                &hole("[33, 18]"),
+                "slot S runs into hole A",
+            ),
             ("from: [0, 0], to: [40, 0], width: 12, depth: 20", "", "blind"),
             ("from: [0, 0], to: [40, 0], width: 12, depth: 5", &hole("[20, 10]"), "slot S runs into hole A"),
             (
@@ -218,5 +263,7 @@ slots:
             assert!(problems.len() == 1 && problems[0].contains(words), "{run} {more}: {problems:?}");
         }
         assert!(read("from: [0, 0], to: [40, 0], width: 12, depth: 5", &hole("[20, 11]")).is_ok(), "they touch");
+        let pocket = "centre: [0, 0], length: 60, width: 40, corner: 8, depth: 5";
+        assert!(read(pocket, &hole("[35, 18]")).is_ok(), "beside its end wall");
     }
 }

@@ -15,7 +15,7 @@ use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::job::{self, Duration, Feeding};
 use crate::knowledge::vocabulary::ToolMaterial;
 use crate::note::{Because, Note};
-use crate::part::{Hole, Part, Slot};
+use crate::part::{Hole, Part};
 use crate::plan::{Conditions, Feature, HolderRef, Operation, ToolRef, Transition};
 use crate::reason::Reason;
 use crate::route::bores::EdgeCut;
@@ -317,7 +317,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             end: step.place.start + travel - approach,
             approach,
             pitch: step.pitch,
-            slot: self.hole.slot,
+            slot: self.hole.slot_to(step.diameter),
             conditions,
         };
         let cycle = job::cycle(&feeding, Micrometres::ZERO, self.shop)?;
@@ -496,7 +496,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             flutes: None,
             around: None,
             plunges: false,
-            slot: self.hole.slot.map(Slot::length),
+            slot: self.hole.slot_to(step.diameter),
         }
     }
 }

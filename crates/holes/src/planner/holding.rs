@@ -184,7 +184,7 @@ fn near_straps(plan: &Plan, shop: &Shop<'_>) -> Result<Near, KnowledgeError> {
 /// Where the tool's axis goes in a cycle at a point: to the other end of a slot, and how far beside that line.
 fn reach(cycle: &Cycle, at: Point) -> (Point, Micrometres) {
     match &cycle.kind {
-        CycleKind::Slot(slot) => (Point { x: at.x + slot.run.x, y: at.y + slot.run.y }, slot.widest()),
+        CycleKind::Slot(slot) => (slot.run.far(at), slot.reach()),
         CycleKind::Circles { radii, .. } => (at, radii.iter().copied().max().unwrap_or_default()),
         _ => (at, Micrometres::ZERO),
     }

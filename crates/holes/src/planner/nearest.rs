@@ -20,6 +20,8 @@ const MM: i64 = 1000;
 /// The roughness that a grade is asked for with, Ra, from the finest grade on: a step or two coarser than each reaches, so that
 /// the grade decides.
 const WITH: [(u8, f64); 4] = [(7, 1.25), (8, 2.5), (11, 6.3), (14, 12.5)];
+/// The same of slots, which have one route: every grade from the finest on that a mill reaches ordinarily.
+const OF_SLOTS: [(u8, f64); 5] = [(11, 3.2), (11, 6.3), (12, 12.5), (13, 12.5), (14, 12.5)];
 
 /// The nearest possible hole beside one that is not, `deep` if its depth is a reason; none for stepped holes, of which more than one depth may be meant, and where
 /// nothing near is possible.
@@ -128,7 +130,8 @@ fn grade(
     if hole.thread.is_some() || hole.counterbore.is_some() {
         return Ok(None);
     }
-    for (finest, ra) in WITH {
+    let with = if hole.slot.is_some() { &OF_SLOTS[..] } else { &WITH };
+    for &(finest, ra) in with {
         let Some(it) = ItGrade::new(hole.diameter.it.number().max(finest)) else { continue };
         let roughness = hole.roughness.max(Roughness::from_ra(Microns(ra)));
         if it == hole.diameter.it && roughness == hole.roughness {

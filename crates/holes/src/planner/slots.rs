@@ -4,12 +4,13 @@
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Note, Severity};
 use crate::part::{Face, Hole, Part};
-use crate::plan::{Feature, Operation, RouteSource, Transition};
+use crate::plan::{Achieved, Feature, Operation, RouteSource, Transition};
 use crate::reason::Reason;
 use crate::route::{Candidate, RouteStep, StepLocation, accuracy};
 use crate::shop::Shop;
-use crate::tables::rules::MillingFinishRoundFor;
-use crate::units::{Micrometres, Minutes};
+use crate::tables::practice::ReachOfTransitionFor;
+use crate::tables::rules::{MadeBy, MillingFinishRoundFor, WayOfTransitionFor};
+use crate::units::{Micrometres, Minutes, Roughness};
 use technolog_proof::Fault;
 
 use super::fit::{Fitted, Fitting};
@@ -76,6 +77,10 @@ fn route(hole: &Hole, shop: &Shop<'_>) -> Result<(Candidate, Vec<RouteStep>), Kn
     if rule.stock > Micrometres::ZERO {
         steps.push(RouteStep { entered: Some(rough), ..step(width, rough) });
     }
+    let last = steps.len() - 1;
+    for (at, step) in steps.iter_mut().enumerate() {
+        write_reached(step, at == last, shop)?;
+    }
     let note = match rule.stock {
         Micrometres::ZERO => Note::new("slot-milled-at-once"),
         stock => Note::new("slot-finished").with("stock", stock),
@@ -91,4 +96,19 @@ fn route(hole: &Hole, shop: &Shop<'_>) -> Result<(Candidate, Vec<RouteStep>), Kn
         because: vec![Because::row(rule.row, note)],
     };
     Ok((candidate, steps))
+}
+
+/// Writes what shops reach with a way of a mill in a slot, which no table of the textbook has.
+fn write_reached(step: &mut RouteStep, last: bool, shop: &Shop<'_>) -> Result<(), KnowledgeError> {
+    let after = if step.from == Micrometres::ZERO { MadeBy::Solid } else { MadeBy::Mill };
+    let way = WayOfTransitionFor { operation: Operation::Mill, centred: false, after, last };
+    let way = shop.knowledge.ask(&way)?.need(Operation::Mill.name())?.way;
+    let reach = ReachOfTransitionFor { way, diameter: step.diameter };
+    let Some(row) = shop.knowledge.ask(&reach)?.winner()? else { return Ok(()) };
+    let roughness = Roughness::from_ra(row.ra_ordinary);
+    step.achieved = Some(Achieved { it: row.it_ordinary, roughness: Some(roughness), position_mm: None });
+    if let Some(it) = row.it_ordinary {
+        step.because.push(Because::row(row.row, Note::new("reaches").with("it", it).with("roughness", roughness)));
+    }
+    Ok(())
 }

@@ -193,7 +193,8 @@ impl InVice<'_, '_> {
         for (hole, _) in through {
             let widest =
                 hole.steps.iter().map(|step| step.diameter.nominal).fold(hole.diameter.nominal, Micrometres::max);
-            for at in hole.ends() {
+            let ends = hole.ways().flat_map(|way| [(way.from, way.thinner), (way.to, way.thinner)]);
+            for (at, thinner) in ends {
                 let (from_jaw, to_end) = match jaws {
                     Along::X => (side(at.y - datum.front, blank.width), (at.x - middle.x).abs()),
                     Along::Y => (side(at.x - datum.left, blank.length), (at.y - middle.y).abs()),
@@ -201,7 +202,7 @@ impl InVice<'_, '_> {
                 if to_end > parallels.half() {
                     return None;
                 }
-                room = room.min(from_jaw - widest.half());
+                room = room.min(from_jaw + thinner - widest.half());
             }
         }
         Some(room)

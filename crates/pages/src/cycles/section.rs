@@ -227,13 +227,10 @@ impl<'p> HoleSection<'p> {
             if diameter == Micrometres::ZERO || (before && diameter == t.diameter_mm) {
                 continue;
             }
-            let text = if before {
-                say!(lang, "cycles-before", diameter = diameter)
-            } else {
-                // Of a slot it is the width.
-                let sign = if t.conditions.rounds.is_some_and(|own| own.of_slot()) { "" } else { "Ø" };
-                format!("{sign}{}", mm(diameter, lang))
-            };
+            // Of a slot it is the width.
+            let sign = if t.conditions.rounds.is_some_and(|own| own.of_slot()) { "" } else { "Ø" };
+            let size = format!("{sign}{}", mm(diameter, lang));
+            let text = if before { say!(lang, "cycles-before", size = size) } else { size };
             let (a, b) = ((self.axis - half, y), (self.axis + half, y));
             canvas.line(&[a, b], pen);
             canvas.head(b, a, pen);

@@ -266,15 +266,19 @@ pub(super) fn slot_from_above(
     let scale = ((ABOVE - 50.0) / width).min(room / (length + width));
     let half = length / 2.0 * scale;
     let ends = [(middle.0 - half, middle.1), (middle.0 + half, middle.1)];
-    canvas.slot(ends, width / 2.0 * scale, "#f4f4f4", Some(Pen::solid(INK, 1.6)));
+    // The way of the mill's middle is rounded less in a corner by its radius, and so is what it left before.
+    let corner = |wide: f64| slot.run.corner.map(|own| (own.to_mm() - (width - wide) / 2.0).max(0.0) * scale);
+    canvas.opening(ends, (width / 2.0 * scale, corner(width)), "#f4f4f4", Some(Pen::solid(INK, 1.6)));
     if !slot.along_middle {
-        canvas.slot(ends, t.from_diameter_mm.to_mm() / 2.0 * scale, "white", Some(Pen::dashed(GREY, 1.0)));
+        let from = t.from_diameter_mm.to_mm();
+        canvas.opening(ends, (from / 2.0 * scale, corner(from)), "white", Some(Pen::dashed(GREY, 1.0)));
     }
     if slot.along_middle {
         arrow(canvas, ends[0], ends[1], FEED);
     }
-    for radius in slot.radii.iter().map(|radius| radius.to_mm() * scale) {
-        canvas.slot(ends, radius, "none", Some(FEED));
+    for wide in slot.radii.iter().map(|radius| 2.0 * radius.to_mm()) {
+        let radius = wide / 2.0 * scale;
+        canvas.opening(ends, (radius, corner(wide)), "none", Some(FEED));
         // On the far wall of the page, in its visible direction.
         let direction = if slot.sense == Sense::Counterclockwise { -1.0 } else { 1.0 };
         let top = (middle.0, middle.1 - radius);

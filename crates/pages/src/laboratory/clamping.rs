@@ -22,8 +22,9 @@ pub(super) fn scheme(plan: &Plan, lang: Lang) -> Option<String> {
     let mut canvas = Canvas::default();
     plate.outline(&mut canvas);
     for hole in &plan.part.holes {
-        for way in hole.ways() {
-            canvas.slot([plate.at(way.from), plate.at(way.to)], plate.radius(hole), "none", Some(THIN));
+        for way in hole.middles() {
+            let ends = [plate.at(way.from), plate.at(way.to)];
+            canvas.opening(ends, (plate.radius(hole), plate.corner_of(hole)), "none", Some(THIN));
         }
     }
     for at in &clamping.clamps {

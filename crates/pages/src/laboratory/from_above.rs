@@ -55,6 +55,11 @@ impl Plate {
     pub(super) fn radius(&self, hole: &Hole) -> f64 {
         (hole.diameter.nominal.to_mm() * self.scale / 2.0).max(LEAST)
     }
+
+    /// How much the corners of a pocket are rounded there; none of what has none.
+    pub(super) fn corner_of(&self, hole: &Hole) -> Option<f64> {
+        hole.slot?.corner.map(|corner| corner.to_mm() * self.scale)
+    }
 }
 
 /// The drawing, a whole SVG file.
@@ -66,14 +71,14 @@ pub(super) fn drawing(part: &Part, lang: Lang) -> String {
     let mut taken: Vec<(At, f64)> = Vec::new();
     for hole in &part.holes {
         let radius = plate.radius(hole);
-        for way in hole.ways() {
+        for way in hole.middles() {
             let ends = [way.from, way.to].map(|end| plate.at(end));
             let arm = radius + 4.0;
             for (x, y) in ends.into_iter().take(if hole.slot.is_some() { 2 } else { 1 }) {
                 canvas.line(&[(x - arm, y), (x + arm, y)], AXIS);
                 canvas.line(&[(x, y - arm), (x, y + arm)], AXIS);
             }
-            canvas.slot(ends, radius, "none", Some(INK));
+            canvas.opening(ends, (radius, plate.corner_of(hole)), "none", Some(INK));
             let [_, (x, y)] = ends;
             let long = width_of(&hole.name, SIZE);
             let place = label((x, y), radius, long, &taken);

@@ -145,9 +145,14 @@ pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
 
 /// The width of a slot with its tolerance, and its length over all; none for a round hole.
 pub(crate) fn slot_size(hole: &Hole, lang: Lang) -> Option<String> {
-    let length = hole.slot?.length() + hole.diameter.nominal;
+    let slot = hole.slot?;
+    let length = slot.length() + hole.diameter.nominal;
     let width = lang.figure(&(&hole.diameter).into_figure());
-    Some(say!(lang, "plan-slot-size", width = width.trim_start_matches('Ø'), length = length))
+    let width = width.trim_start_matches('Ø');
+    Some(match slot.corner {
+        None => say!(lang, "plan-slot-size", width = width, length = length),
+        Some(corner) => say!(lang, "plan-pocket-size", width = width, length = length, corner = corner),
+    })
 }
 
 /// Whether a transition reaches that size, so that its own diameter need not be printed.
@@ -187,6 +192,9 @@ fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lan
     if let Some(size) = slot_size(hole, lang) {
         let verb = operation_verb(transition.operation.name(), lang);
         let (name, size, width) = (hole.name.as_str(), size.as_str(), transition.diameter_mm);
+        if hole.slot.is_some_and(|slot| slot.corner.is_some()) {
+            return say!(lang, "plan-step-pocket", verb = verb, size = size, hole = name, width = width);
+        }
         return say!(lang, "plan-step-slot", verb = verb, size = size, hole = name, width = width);
     }
     let key = match transition.operation {

@@ -28,6 +28,7 @@ cycles-speed = S { $speed } rpm
 cycles-feed = F { $feed } mm/min
 cycles-plunge = F { $feed } mm/min down
 cycles-arcs = F { $feed } mm/min on the arcs
+cycles-pocket = pocket { $size } ({ $hole }) to a width of { $width }
 cycles-slot = slot { $size } ({ $hole }) to a width of { $width }
 cycles-slot-ways = { $count ->
         [0] along the middle of the slot
@@ -43,7 +44,7 @@ cycles-out-stopped = exit with the spindle stopped
 cycles-out-at-feed = exit at feed
 cycles-coolant = with coolant
 cycles-not-to-scale = Z as on the drawing, mm; not to scale
-cycles-before = before: Ø{ $diameter }
+cycles-before = before: { $size }
 cycles-top = top { $z }
 cycles-full-diameter = full Ø { $z }
 cycles-bottom = bottom { $z }

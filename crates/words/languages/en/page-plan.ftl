@@ -43,6 +43,8 @@ plan-step-floor = { $verb } the floor of { $count } { $count ->
    *[other] holes
 } { $size } ({ $hole }), Ø{ $diameter }
 plan-step-slot = { $verb } slot { $size } ({ $hole }) to a width of { $width }
+plan-step-pocket = { $verb } pocket { $size } ({ $hole }) to a width of { $width }
+plan-pocket-size = { $width } × { $length } R{ $corner }
 plan-slot-size = { $width } × { $length }
 plan-step-within = permitted Ø{ $smallest } to Ø{ $largest }
 plan-step-also = together with Ø{ $diameter }
@@ -185,6 +187,7 @@ plan-impossible = impossible
 plan-wrong = wrong
 plan-doubtful = doubtful
 plan-note = note
+plan-of-pocket = pocket { $pocket }: { $finding }
 plan-of-slot = slot { $slot }: { $finding }
 plan-of-hole = hole { $hole }: { $finding }
 # Why a hole is made as it is.

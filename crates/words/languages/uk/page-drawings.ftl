@@ -22,6 +22,7 @@ cycles-speed = S { $speed } об/хв
 cycles-feed = F { $feed } мм/хв
 cycles-plunge = F { $feed } мм/хв униз
 cycles-arcs = F { $feed } мм/хв на дугах
+cycles-pocket = кишені { $size } ({ $hole }) до ширини { $width }
 cycles-slot = паза { $size } ({ $hole }) до ширини { $width }
 cycles-slot-ways = { $count ->
         [0] уздовж середини паза
@@ -37,7 +38,7 @@ cycles-out-stopped = вихід зі зупиненим шпинделем
 cycles-out-at-feed = вихід на робочій подачі
 cycles-coolant = з МОР
 cycles-not-to-scale = Z – за кресленням, мм; не в масштабі
-cycles-before = попередній Ø{ $diameter }
+cycles-before = попередній { $size }
 cycles-top = верх { $z }
 cycles-full-diameter = повний Ø { $z }
 cycles-bottom = низ { $z }

@@ -31,6 +31,8 @@ plan-step-to = { $verb } { $count } отв. { $size } ({ $hole }) до Ø{ $diam
 plan-step-spot = { $verb } { $count } отв. { $size } ({ $hole }), витримуючи Ø{ $diameter }
 plan-step-floor = { $verb } дно { $count } отв. { $size } ({ $hole }), Ø{ $diameter }
 plan-step-slot = { $verb } паз { $size } ({ $hole }) до ширини { $width }
+plan-step-pocket = { $verb } кишеню { $size } ({ $hole }) до ширини { $width }
+plan-pocket-size = { $width } × { $length } R{ $corner }
 plan-slot-size = { $width } × { $length }
 plan-step-within = допускається від Ø{ $smallest } до Ø{ $largest }
 plan-step-also = одночасно Ø{ $diameter }
@@ -174,6 +176,7 @@ plan-impossible = помилка
 plan-wrong = хибно
 plan-doubtful = сумнівно
 plan-note = зауваження
+plan-of-pocket = кишеня { $pocket }: { $finding }
 plan-of-slot = паз { $slot }: { $finding }
 plan-of-hole = отвір { $hole }: { $finding }
 # Why a hole is made as it is.

@@ -6,7 +6,7 @@ use super::hole::{CentreTolerance, Diameter, RoughnessText};
 use super::{Coordinate, Direction, Name, Size};
 
 forms! {
-    /// A straight slot with round ends, closed on all sides.
+    /// A straight slot with round ends, or with `corner` a rectangular pocket, closed on all sides.
     #[schemars(extend("oneOf" = [{"required": ["from", "to"]}, {"required": ["centre", "length"]}]))]
     #[schemars(extend("anyOf" = [{"required": ["depth"]}, {"required": ["through"]}]))]
     pub struct Slot {
@@ -24,6 +24,9 @@ forms! {
         pub angle: Option<Direction>,
         /// Width with its tolerance, as the diameter of a hole: `12H12`, `14` for a free size (grade 13).
         pub width: Diameter,
+        /// Of a rectangular pocket the radius of its corners, mm, less than half of its width; with `centre` and `length`. Without it
+        /// the ends are round.
+        pub corner: Option<Size>,
         /// Depth from the entry face, mm; of a slot that goes through it may be left out.
         pub depth: Option<Size>,
         /// Whether it goes through; `false` unless said.

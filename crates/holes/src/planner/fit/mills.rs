@@ -80,6 +80,9 @@ impl<'k> Fitting<'_, 'k> {
         let clearance = if leaves { Micrometres::ZERO } else { self.floor_clearance };
         let plunges = Some(Plunging { widest: Micrometres::ZERO, without_middle: Micrometres::ZERO });
         let enters = step.entered.unwrap_or(step.diameter);
+        // It makes the corners of a pocket by itself, and goes round in them where it is thinner.
+        let corner = self.hole.slot_to(enters).and_then(|slot| slot.corner);
+        let enters = corner.map_or(enters, |corner| enters.min(corner + corner));
         let found = tooling::find_tool(&CutterNeed { enters, clearance, plunges, ..*need }, shop)?;
         // Of end mills nobody expects it: what keeps a slot mill out is the reason.
         let no_teeth = |why: &Unfit| matches!(why, Unfit::Cutter { fault: CutterFault::NoTeethInMiddle { .. }, .. });

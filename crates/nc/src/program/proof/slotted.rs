@@ -16,12 +16,16 @@ use crate::units::Micrometres;
 /// How far apart the points are that are looked at, mm; in a slot longer than this many steps, further.
 const STEP: f64 = 0.5;
 const STEPS: f64 = 2000.0;
+/// How many machine steps a wall may lie aside: the point, the end of the slot and the step to its wall are rounded along both axes,
+/// each by half a step at most: 3·√2/2 = 2.1. In a corner the step to the middle of its radius is, too: 2.9.
+const ASIDE: f64 = 2.2;
+const IN_CORNER: f64 = 3.0;
 /// Points in a quarter of an arc.
 const QUARTER: i32 = 16;
 
-/// A slot as its transition leaves it, mm.
+/// A slot or a pocket as its transition leaves it, mm.
 struct Outline {
-    /// The middles of its end radii.
+    /// The middles of its ends.
     ends: [[f64; 2]; 2],
     /// From one to the other.
     length: f64,
@@ -29,12 +33,20 @@ struct Outline {
     along: [f64; 2],
     /// Half of its width.
     half: f64,
+    /// The radius of its corners; half of its width where its ends are round.
+    corner: f64,
 }
 
 impl Outline {
-    /// The distance of a point from the middle line.
+    /// How far a point lies from the middle line, measured as the outline lies about it: on the outline half of the width.
     fn aside(&self, at: [f64; 2]) -> f64 {
-        from_line(at, self.ends[0], self.ends[1])
+        let [x, y] = self.along;
+        let (dx, dy) = (at[0] - self.ends[0][0], at[1] - self.ends[0][1]);
+        let (along, aside) = (dx * x + dy * y - self.length / 2.0, dy * x - dx * y);
+        // From the rectangle between the middles of the corner radii.
+        let square = self.half - self.corner;
+        let (beyond, beside) = (along.abs() - self.length / 2.0 - square, aside.abs() - square);
+        libm::hypot(beyond.max(0.0), beside.max(0.0)) + beyond.max(beside).min(0.0) - self.corner + self.half
     }
 
     /// A point so far along the middle line, from the first end, and so far aside of it, to the left.
@@ -45,26 +57,30 @@ impl Outline {
 
     /// Points all over it, and close together on the line that is so far inside its outline.
     fn points(&self, inside: f64) -> Vec<[f64; 2]> {
-        let edge = self.half - inside;
+        let (edge, square) = (self.half - inside, self.half - self.corner);
         let mut points = Vec::new();
-        let step = (self.length / STEPS).max(STEP);
-        let mut along = 0.0;
-        while along <= self.length {
-            points.extend([edge, -edge].map(|aside| self.at(along, aside)));
-            let mut aside = -edge;
-            while aside <= edge {
-                points.push(self.at(along, aside));
-                aside += STEP;
-            }
-            along += step;
+        let step = ((self.length + 2.0 * square) / STEPS).max(STEP);
+        let steps = |from: f64, to: f64, by: f64| {
+            let count = libm::ceil((to - from).max(0.0) / by) as i32;
+            (0..=count).map(move |one| if one == count { to } else { from + by * f64::from(one) })
+        };
+        for along in steps(-edge, self.length + edge, step) {
+            points.extend(steps(-edge, edge, STEP).map(|aside| self.at(along, aside)));
         }
-        for (end, turn) in [(0.0, -1.0), (self.length, 1.0)] {
-            for step in -QUARTER..=QUARTER {
-                let angle = std::f64::consts::FRAC_PI_2 * f64::from(step) / f64::from(QUARTER);
-                let mut radius = edge;
-                while radius > 0.0 {
-                    points.push(self.at(end + turn * radius * libm::cos(angle), radius * libm::sin(angle)));
-                    radius -= STEP;
+        points.retain(|at| self.aside(*at) <= edge);
+        for along in steps(-square, self.length + square, step) {
+            points.extend([edge, -edge].map(|aside| self.at(along, aside)));
+        }
+        for aside in steps(-square, square, STEP) {
+            points.extend([-edge, self.length + edge].map(|along| self.at(along, aside)));
+        }
+        let rounded = self.corner - inside;
+        for (end, turn) in [(-square, -1.0), (self.length + square, 1.0)] {
+            for side in [-1.0, 1.0] {
+                for part in 0..=QUARTER {
+                    let angle = std::f64::consts::FRAC_PI_2 * f64::from(part) / f64::from(QUARTER);
+                    let (along, aside) = (rounded * libm::cos(angle), square + rounded * libm::sin(angle));
+                    points.push(self.at(end + turn * along, side * aside));
                 }
             }
         }
@@ -74,9 +90,9 @@ impl Outline {
 
 /// Checks the motions of a cut in a slot that a mill of this diameter makes.
 pub(super) fn slot(say: &CutAtStop<'_, '_>, slot: &SlotCycle, mill: Micrometres, findings: &mut Vec<ProgramFinding>) {
-    let Some(outline) = outline(say, slot) else { return };
     let radius = mill.to_mm() / 2.0;
-    let slack = TOLERANCE.to_mm() * 1.5;
+    let outline = outline(say, slot, radius);
+    let slack = TOLERANCE.to_mm() * if slot.corner.is_some() { IN_CORNER } else { ASIDE };
     let fed: Vec<&TipMove> = say.cut.moves.iter().filter(|made| made.feed().is_some()).collect();
     // Whatever the tip does at feed below the face, it cuts.
     let beyond = fed.iter().flat_map(|made| traced(made).into_iter().map(move |at| (made, at)));
@@ -121,15 +137,13 @@ pub(super) fn slot(say: &CutAtStop<'_, '_>, slot: &SlotCycle, mill: Micrometres,
     }
 }
 
-/// The slot that the transition of a cut leaves.
-fn outline(say: &CutAtStop<'_, '_>, slot: &SlotCycle) -> Option<Outline> {
+/// The slot or pocket that the transition of a cut with a mill of this radius leaves.
+fn outline(say: &CutAtStop<'_, '_>, slot: &SlotCycle, radius: f64) -> Outline {
     let at = say.task.stop.at;
-    let far = slot.run.far(at);
-    let ends = [at, far].map(|end| [end.x.to_mm(), end.y.to_mm()]);
-    let run = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]];
-    let length = libm::hypot(run[0], run[1]);
+    let ends = [at, slot.run.far(at)].map(|end| [end.x.to_mm(), end.y.to_mm()]);
     let half = say.task.transition.diameter_mm.to_mm() / 2.0;
-    (length > 0.0).then(|| Outline { ends, length, along: run.map(|part| part / length), half })
+    let corner = slot.corner.map_or(half, |corner| corner.to_mm() + radius);
+    Outline { ends, length: slot.run.length().to_mm(), along: slot.run.direction(), half, corner }
 }
 
 fn place(tip: [Micrometres; 3]) -> [f64; 2] {

@@ -112,7 +112,7 @@ pub(super) fn slot(cycle: &Cycle, slot: &SlotCycle, sheet: &mut ProgramWriter, p
         let block = match made.motion {
             SlotMotion::Down(level) => Block::new().g(90).g(1).axis('Z', level),
             SlotMotion::Across => step(Block::new().g(91).g(1)),
-            SlotMotion::Half(centre) => {
+            SlotMotion::Arc(centre, _) => {
                 step(Block::new().g(91).g(code)).axis('I', centre[0] - at[0]).axis('J', centre[1] - at[1])
             }
         };

@@ -208,7 +208,7 @@ fn slot_ways(cycle: &Cycle, slot: &SlotCycle, dialect: Dialect<'_>, form: Form) 
         let block = match made.motion {
             SlotMotion::Down(level) => Block::new().g(90).g(1).word('Z', length(level)),
             SlotMotion::Across => Block::new().g(91).g(1).word('X', x).word('Y', y),
-            SlotMotion::Half(centre) => {
+            SlotMotion::Arc(centre, _) => {
                 let [i, j] = [centre[0] - at[0], centre[1] - at[1]].map(length);
                 Block::new().g(91).g(code).word('X', x).word('Y', y).word('I', i).word('J', j)
             }
