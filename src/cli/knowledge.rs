@@ -17,7 +17,8 @@ use super::{CliError, Context, words};
 /// # Errors
 /// A file cannot be read, contains something that no table may, or breaks a contract.
 pub fn load(context: &Context) -> Result<&'static Knowledge, CliError> {
-    loaded(context, technolog::tables::load)
+    let knowledge = loaded(context, technolog::tables::load)?;
+    Ok(context.tables.get_or_init(|| knowledge))
 }
 
 /// The tables for queries: a folder may contain a few tables that are not enough for planning.

@@ -38,14 +38,16 @@ mod turn_operation;
 mod usage;
 mod words;
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::OnceLock;
 
 use clap::{ArgAction, FromArgMatches, Parser, Subcommand};
 use serde::Serialize;
 use technolog::document::{self, Document};
 use technolog::error::KnowledgeError;
-use technolog::knowledge::Diagnostic;
+use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::sheets;
 use technolog::words::say;
 
@@ -145,9 +147,19 @@ pub struct Context {
     pub inputs: input::Inputs,
     /// How many problems are shown.
     pub amount: Amount,
+    /// The tables of a command that plans: its pages name them for people. Commands about tables keep their ids.
+    pub tables: OnceLock<&'static Knowledge>,
 }
 
 impl Context {
+    /// A page with the tables of the command named for people.
+    pub fn named<'d>(&self, document: &'d Document) -> Cow<'d, Document> {
+        match self.tables.get() {
+            Some(knowledge) => Cow::Owned(technolog::report::named(document.clone(), knowledge, self.lang)),
+            None => Cow::Borrowed(document),
+        }
+    }
+
     /// The format of the answer: the given one, otherwise that of the extension of `-o`, otherwise the first of the
     /// command.
     ///
@@ -197,7 +209,7 @@ impl Context {
     /// # Errors
     /// It cannot be written.
     pub fn emit_document(&self, document: &Document, format: Format) -> Result<(), CliError> {
-        self.emit(&self.written(document, format, self.output.as_deref()))
+        self.emit(&self.written(&self.named(document), format, self.output.as_deref()))
     }
 
     /// A page as text, Markdown or HTML for a file, or for the screen.
@@ -375,6 +387,7 @@ pub fn main() -> ExitCode {
         more_outputs: outputs.collect(),
         inputs: input::Inputs::default(),
         amount: if cli.global.all_problems { Amount::All } else { Amount::Some },
+        tables: OnceLock::new(),
     };
     let asked = if context.more_outputs.is_empty() || matches!(cli.command, Command::Report(_)) {
         cli.command.run(&context)

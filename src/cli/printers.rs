@@ -8,6 +8,7 @@ use technolog::knowledge::Diagnostic;
 use technolog::words::say;
 
 use super::output::unprintable;
+use super::progress::Progress;
 use super::{CliError, Context, Format};
 
 /// Prints a page as the bytes of a file. The path tells what else may be asked of it: the width of a screen.
@@ -119,10 +120,16 @@ impl Targets {
     /// # Errors
     /// A file cannot be printed or written.
     pub fn print(&self, page: &Document, context: &Context) -> Result<(), CliError> {
+        let page = &*context.named(page);
+        let progress = Progress::new(self.0.len());
         let mut printed = Vec::new();
-        for (file, printer) in &self.0 {
+        for (done, (file, printer)) in self.0.iter().enumerate() {
+            if self.0.len() > 1 {
+                progress.show(done);
+            }
             printed.push((file.as_deref(), (printer.print)(page, file.as_deref(), context)?));
         }
+        progress.clear();
         context.emit_files(&printed)
     }
 }

@@ -2,9 +2,10 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::material::Material;
 use crate::motion::Axis;
 use crate::note::{Note, Severity};
-use crate::part::{Hole, Part};
+use crate::part::{BlankHole, Hole, Part};
 use crate::shop::Shop;
 use crate::tables::materials::Density;
 use crate::tables::rules::{Approach, ApproachFor};
@@ -122,6 +123,36 @@ pub fn masses(part: &Part, group: &str, knowledge: &Knowledge) -> Result<Option<
         [part.blank.length, part.blank.width, part.blank.thickness].map(|side| side.to_mm() / 1000.0);
     let of = |density: f64| length * width * thickness * density;
     Ok(density.map(|density| (of(density.lightest), of(density.heaviest))))
+}
+
+/// The mass of a blank, kg: between two figures where only the group of its metal is known, alike where it is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mass {
+    /// The least.
+    pub least: f64,
+    /// The most.
+    pub most: f64,
+}
+
+impl Mass {
+    /// The mass, where it is one figure.
+    pub fn exact(self) -> Option<f64> {
+        (self.least >= self.most).then_some(self.most)
+    }
+}
+
+/// The mass of a part's blank: that of the file, else that of a solid plate ([`masses`]), which is the most where holes are
+/// there before the operation.
+///
+/// # Errors
+/// The knowledge base is broken, or lacks the material.
+pub fn mass(part: &Part, knowledge: &Knowledge) -> Result<Option<Mass>, KnowledgeError> {
+    if let Some(mass) = part.mass_kg {
+        return Ok(Some(Mass { least: mass, most: mass }));
+    }
+    let group = Material::find(knowledge, &part.material)?.group;
+    let is_solid = part.holes.iter().all(|hole| hole.state == BlankHole::Solid);
+    Ok(masses(part, group, knowledge)?.map(|(least, most)| Mass { least: if is_solid { least } else { 0.0 }, most }))
 }
 
 /// The row of the rule `approach` for a part: the distance before the metal where the feed begins (`approach`), and

@@ -128,6 +128,11 @@ impl Inlines {
         &self.0
     }
 
+    /// The same, to be worded anew.
+    pub(crate) fn pieces_mut(&mut self) -> &mut [Inline] {
+        &mut self.0
+    }
+
     /// Whether it has no text.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()

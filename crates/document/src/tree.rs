@@ -279,6 +279,11 @@ impl Table {
         &self.rows
     }
 
+    /// Columns and rows, to be worded anew.
+    pub(crate) fn parts_mut(&mut self) -> (&mut [Column], &mut [Vec<Inlines>]) {
+        (&mut self.columns, &mut self.rows)
+    }
+
     /// Whether it has no rows.
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()

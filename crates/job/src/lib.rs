@@ -27,7 +27,7 @@ mod time;
 mod unfinished;
 
 // The types of other crates, under one name each in the whole program.
-use technolog_core::{error, machine, material, motion, note, part, plan, shop, zone};
+use technolog_core::{error, machine, motion, note, part, plan, shop, zone};
 use technolog_knowledge::{self as knowledge, units};
 use technolog_tables as tables;
 

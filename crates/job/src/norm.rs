@@ -6,14 +6,13 @@
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::material::Material;
 use crate::note::{Because, Note};
-use crate::part::{Hole, Part};
+use crate::part::Hole;
 use crate::plan::Plan;
 use crate::tables::practice::{LoadedBy, LoadingTimeFor, TimeNorm, TimeNorms};
 use crate::tables::rules::HeldBy;
 use crate::units::{Kilograms, Minutes};
-use crate::zone::masses;
+use crate::zone::mass;
 
 use super::Job;
 
@@ -181,7 +180,7 @@ fn loading(plan: &Plan, given: GivenTimes, figures: &Figures<'_>) -> Result<Vec<
         Some(HeldBy::Nothing | HeldBy::Own) | None => return Ok(Vec::new()),
     };
     let Some(mass) = mass(&plan.part, figures.0)? else { return Ok(Vec::new()) };
-    let answer = figures.0.ask(&LoadingTimeFor { held, mass: Kilograms(mass) })?;
+    let answer = figures.0.ask(&LoadingTimeFor { held, mass: Kilograms(mass.most) })?;
     // A part heavier than the table has no time.
     let Some(row) = answer.winner()? else { return Ok(Vec::new()) };
     let because = Because::row(row.row, Note::new("time-norm"));
@@ -192,15 +191,6 @@ fn loading(plan: &Plan, given: GivenTimes, figures: &Figures<'_>) -> Result<Vec<
         items.push(figures.item("norm-more-clamps", TimeNorm::MoreClamp, clamps - CLAMPS)?);
     }
     Ok(items)
-}
-
-/// The mass of the part, kg: that of the file, or of a solid plate of the heaviest metal of its group.
-fn mass(part: &Part, knowledge: &Knowledge) -> Result<Option<f64>, KnowledgeError> {
-    if part.mass_kg.is_some() {
-        return Ok(part.mass_kg);
-    }
-    let group = Material::find(knowledge, &part.material)?.group;
-    Ok(masses(part, group, knowledge)?.map(|(_, heaviest)| heaviest))
 }
 
 /// A plug in each hole: of a thread, of a coarse or of a fine grade.

@@ -19,6 +19,8 @@ const WIDEST: f64 = 60.0;
 const FRONT: f64 = 110.0;
 /// The height of a line, in points.
 const LINE: f64 = 15.0;
+/// The mark behind a figure that nothing confirms.
+const MARK: &str = "*";
 /// The longest text of a cell, in characters.
 const CELL: usize = 32_767;
 
@@ -236,13 +238,21 @@ fn tall(sheet: &mut Worksheet, row: u32, lines: usize) -> Result<(), OfficeError
 /// A cell that is one figure; in a column of figures that is so whatever it was made of.
 fn figure(cell: &Inlines, align: Align) -> Option<(Decimal, &str)> {
     let written = || (align == Align::Right).then(|| cell.plain().parse().ok()).flatten().map(|value| (value, ""));
-    cell.figure().or_else(written)
+    cell.figure().or_else(written).or_else(|| (align == Align::Right).then(|| marked(cell)).flatten())
+}
+
+/// A figure with the mark of what nothing confirms: a number, whose format shows the mark.
+fn marked(cell: &Inlines) -> Option<(Decimal, &'static str)> {
+    cell.plain().strip_suffix(MARK)?.parse().ok().map(|value| (value, MARK))
 }
 
 /// The format of a figure: the places that it is printed with, and its unit where the head has none.
 fn shown(value: Decimal, unit: &str) -> String {
     let places = usize::from(value.places());
     let number = if places > 0 { format!("0.{}", "0".repeat(places)) } else { "0".to_owned() };
+    if unit == MARK {
+        return format!("{number}\"{MARK}\"");
+    }
     if unit.is_empty() { number } else { format!("{number}\" {}\"", unit.replace('"', "")) }
 }
 

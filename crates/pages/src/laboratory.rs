@@ -17,6 +17,7 @@ use crate::part::{CentreTolerance, Hole, HoleStep};
 use crate::plan::{HolePlan, Plan, Transition};
 use crate::program::Setting;
 use crate::units::Micrometres;
+use crate::zone::mass;
 
 use super::backplot::{Frame, sheets};
 use super::doubts::unconfirmed;
@@ -96,12 +97,12 @@ pub fn page(sources: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Result<Doc
     for number in (1..=PARTS).filter(|number| title.has(*number)) {
         let name = lang.word(PART_NAMES[usize::from(number) - 1]);
         page.heading(2, say!(lang, "lab-part", number = number, name = name));
-        part(&mut page, number, sources, title, &machine, lang);
+        part(&mut page, number, sources, title, &machine, lang)?;
     }
     // The cards belong to the whole report; who chooses parts has them by themselves.
     if title.parts.is_none() {
-        annex(&mut page, say!(lang, "lab-annex-route"), cards::route_card(sources, title, lang));
-        annex(&mut page, say!(lang, "lab-annex-operation"), cards::operation_card(sources, title, lang));
+        annex(&mut page, say!(lang, "lab-annex-route"), cards::route_card(sources, title, lang)?);
+        annex(&mut page, say!(lang, "lab-annex-operation"), cards::operation_card(sources, title, lang)?);
     }
     Ok(page)
 }
@@ -133,14 +134,21 @@ const PART_NAMES: [&str; PARTS as usize] = [
     "lab-conclusions",
 ];
 
-fn part(page: &mut Document, number: u8, own: &Sources<'_>, title: &TitleBlock, machine: &Machine<'_>, lang: Lang) {
+fn part(
+    page: &mut Document,
+    number: u8,
+    own: &Sources<'_>,
+    title: &TitleBlock,
+    machine: &Machine<'_>,
+    lang: Lang,
+) -> Result<(), KnowledgeError> {
     let plan = own.plan;
     match number {
         1 => by_author(page, title.aim.as_deref(), "lab-write-aim", lang),
         2 => task(page, plan, title, lang),
         3 => equipment(page, own, machine, lang),
-        4 => limits::section(page, own, machine, lang),
-        5 => blank(page, plan, own.knowledge, lang),
+        4 => limits::section(page, own, machine, lang)?,
+        5 => blank(page, plan, own.knowledge, lang)?,
         6 => steps(page, plan, lang),
         7 => route::work(page, plan, lang),
         8 => tool_list::section(page, own, lang),
@@ -172,6 +180,7 @@ fn part(page: &mut Document, number: u8, own: &Sources<'_>, title: &TitleBlock, 
         15 => program(page, own, lang),
         _ => conclusions(page, own, title, lang),
     }
+    Ok(())
 }
 
 fn head(page: &mut Document, title: &TitleBlock, lang: Lang) {
@@ -197,7 +206,7 @@ fn task(page: &mut Document, plan: &Plan, title: &TitleBlock, lang: Lang) {
     }
     let unit = lang.word("unit-mm");
     let mut table = Table::new([
-        Column::text(say!(lang, "plan-hole")).min_width(4),
+        sheet::of_surface(plan, lang),
         Column::number(say!(lang, "lab-count"), ""),
         Column::text(say!(lang, "lab-size")),
         Column::number(say!(lang, "lab-depth"), unit),
@@ -269,18 +278,21 @@ fn equipment(page: &mut Document, own: &Sources<'_>, machine: &Machine<'_>, lang
     page.push(limits::record(machine, lang));
 }
 
-fn blank(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) {
+fn blank(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) -> Result<(), KnowledgeError> {
     sheet::head(page, plan, knowledge, lang);
-    if let Some(mass) = plan.part.mass_kg {
-        page.paragraph(say!(lang, "lab-blank-mass", mass = exactly(mass, 1)));
+    if let Some(mass) = mass(&plan.part, knowledge)? {
+        let told = limits::weight(mass, lang).plain();
+        let key = if plan.part.mass_kg.is_some() { "lab-blank-mass" } else { "lab-plate-mass" };
+        page.paragraph(lang.say(&Note::new(key).with("mass", told)));
     }
+    Ok(())
 }
 
 /// What each transition takes off a hole that is there: the diameters before and after it, and the allowance on the diameter.
 fn allowances(page: &mut Document, plan: &Plan, lang: Lang) {
     let mm = lang.word("unit-mm");
     let mut table = Table::new([
-        Column::text(say!(lang, "plan-hole")).min_width(4),
+        sheet::of_surface(plan, lang),
         Column::text(say!(lang, "plan-transition")),
         Column::number(say!(lang, "lab-before"), mm),
         Column::number(say!(lang, "lab-after"), mm),
@@ -384,6 +396,7 @@ fn conclusions(page: &mut Document, own: &Sources<'_>, title: &TitleBlock, lang:
         plan.holes.iter().map(|own| own.transitions.iter().filter(|it| !it.elsewhere).count()).sum();
     let note = Note::new("lab-made")
         .with("holes", plan.part.holes.iter().filter(is_made).map(count).sum::<usize>())
+        .with("slots", plan.part.holes.iter().filter(|hole| hole.slot.is_some()).count())
         .with("all", plan.part.holes.iter().map(count).sum::<usize>())
         .with("tools", plan.tools.len())
         .with("transitions", transitions)

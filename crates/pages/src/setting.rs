@@ -147,7 +147,7 @@ fn held(setup: &SetUp, plan: &Plan, lang: Lang) -> Vec<String> {
             stand.map(|stand| super::sheet::in_vice(vice, stand, plan, lang)).collect()
         }
         // It holds the part in both set-ups, and is told once.
-        Held::Own(own) if number == 1 => vec![super::sheet::own_fixture(own, lang)],
+        Held::Own(own) if number == 1 => vec![super::sheet::own_fixture(own, &plan.part, lang)],
         Held::Own(_) => Vec::new(),
         Held::Straps(clamping) => {
             let clamps = super::sheet::clamps_of(clamping, &plan.part, lang);

@@ -1,6 +1,6 @@
 //! The plan as a page: route, tools, conditions, clamping, corrections, time, findings.
 
-use crate::document::{Document, Field, FindingBlock, Inlines, Severity as Shown};
+use crate::document::{Column, Document, Field, FindingBlock, Inlines, Severity as Shown};
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::machine::Machine;
@@ -99,6 +99,18 @@ pub(crate) fn column(values: &[Micrometres], lang: Lang) -> Vec<Inlines> {
 /// A heading that may be of two alphabets, such as `Sхв`.
 fn heading(key: &'static str, lang: Lang) -> String {
     lang.say(&Note::new(key))
+}
+
+/// The column of the names of holes, and of slots where there are any.
+pub(super) fn of_surface(plan: &Plan, lang: Lang) -> Column {
+    let slots = plan.part.holes.iter().any(|hole| hole.slot.is_some());
+    Column::text(lang.word(if slots { "plan-hole-or-slot" } else { "plan-hole" })).min_width(4)
+}
+
+/// The word for a hole or a slot in `for the hole`.
+pub(super) fn surface(part: &Part, name: &str, lang: Lang) -> &'static str {
+    let slot = part.holes.iter().any(|own| own.name == name && own.slot.is_some());
+    lang.find(if slot { "plan-slot-of" } else { "plan-hole-of" }).unwrap_or_default()
 }
 
 /// The mark after a figure from an unconfirmed row.

@@ -10,6 +10,7 @@ use crate::plan::{HolePlan, Plan};
 use crate::tables::practice::{FactSource, PracticeSource, ReachSource};
 use crate::units::round_to;
 
+use super::named::titled;
 use super::words::say;
 use super::{Lang, operation_verb, sheet};
 
@@ -28,7 +29,7 @@ pub fn explain(plan: &Plan, hole: &HolePlan, knowledge: &Knowledge, lang: Lang) 
         Some(route) => {
             let (scheme, table) = (Figure::scheme(&route.scheme), route.table.as_str());
             page.heading(2, say!(lang, "explain-scheme", scheme = scheme, table = table));
-            page.push(Block::List(reasons(&route.because, lang)));
+            page.push(Block::List(reasons(&route.because, knowledge, lang)));
             if !route.alternatives.is_empty() {
                 page.heading(2, say!(lang, "explain-others"));
                 page.push(Block::List(sheet::route::alternatives(route, lang)));
@@ -59,7 +60,7 @@ pub fn explain(plan: &Plan, hole: &HolePlan, knowledge: &Knowledge, lang: Lang) 
             made = made.with("tool", transition.tool.number);
         }
         page.heading(2, lang.say(&made));
-        page.push(Block::List(reasons(&transition.because, lang)));
+        page.push(Block::List(reasons(&transition.because, knowledge, lang)));
         if only {
             continue;
         }
@@ -72,7 +73,7 @@ pub fn explain(plan: &Plan, hole: &HolePlan, knowledge: &Knowledge, lang: Lang) 
             speed = number(conditions.speed_m_per_min.0, 2),
             rpm = number(conditions.spindle_rpm.0, 1)
         ));
-        page.push(Block::List(reasons(&conditions.because, lang)));
+        page.push(Block::List(reasons(&conditions.because, knowledge, lang)));
     }
     let of_route = hole.route.iter().flat_map(|route| &route.because);
     let of_transitions = hole.transitions.iter();
@@ -117,18 +118,22 @@ pub(super) fn named_sources<'k, 'r>(
     Ok(named)
 }
 
-fn reasons(because: &[Because], lang: Lang) -> Vec<Item> {
-    because.iter().map(|reason| reason_item(reason, lang)).collect()
+fn reasons(because: &[Because], knowledge: &Knowledge, lang: Lang) -> Vec<Item> {
+    because.iter().map(|reason| reason_item(reason, knowledge, lang)).collect()
 }
 
-fn reason_item(reason: &Because, lang: Lang) -> Item {
+fn reason_item(reason: &Because, knowledge: &Knowledge, lang: Lang) -> Item {
     let row = reason.row.map(|row| say!(lang, "explain-row", row = row));
     let source = reason.source.map(|source| match source {
         Source::Seed => say!(lang, "explain-seed").to_owned(),
         Source::Standard => say!(lang, "explain-standard").to_owned(),
         Source::Reconstructed => say!(lang, "explain-reconstructed").to_owned(),
     });
-    let place = [Some(reason.table.clone()), row, source].into_iter().flatten().collect::<Vec<_>>().join(", ");
+    let place = [Some(titled(&reason.table, knowledge, lang)), row, source]
+        .into_iter()
+        .flatten()
+        .collect::<Vec<_>>()
+        .join(", ");
     let decided = say!(
         lang,
         "explain-decision",

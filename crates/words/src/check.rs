@@ -74,7 +74,7 @@ pub fn differences(language: &Language, english: &Language) -> (Vec<String>, Vec
 }
 
 /// Messages about the language itself.
-const LOCAL: &[&str] = &["decimal-comma"];
+const LOCAL: &[&str] = &["decimal-comma", "table-letter"];
 
 /// The plural forms that a language requires.
 const PLURALS: &[(&str, &[&str])] = &[("uk", &["one", "few", "many"]), ("en", &["one", "other"])];

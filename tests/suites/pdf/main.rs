@@ -38,7 +38,7 @@ fn printed(name: &str, arguments: &[&str]) -> (Vec<u8>, Option<String>) {
 /// Nothing of the plan is lost on the way onto paper, and the text is that of the other formats, Ukrainian letters too.
 #[test]
 fn every_figure_of_the_plan_is_in_its_pdf() {
-    for name in ["plate", "variant-4"] {
+    for name in ["plate", "variant-4", "bracket"] {
         let path = format!("examples/{name}.yaml");
         let (_, text) = printed(name, &[&path, "--title", "examples/report.yaml", "--lang", "uk"]);
         let Some(text) = text else { return };
@@ -56,10 +56,36 @@ fn every_figure_of_the_plan_is_in_its_pdf() {
         }
         for own in plan.holes.iter().flat_map(|hole| &hole.transitions) {
             has(&Lang::UK.figure(&own.diameter_mm.into_figure()));
-            if !own.elsewhere {
-                has(&format!("{:.0}", own.conditions.spindle_rpm.0));
-                has(&format!("{:.0}", own.conditions.feed_mm_per_min.0));
+            if own.elsewhere {
+                continue;
             }
+            let its = &own.conditions;
+            let optional = [
+                (its.axial_force_n.map(|it| it.0), 0),
+                (its.torque_n_m.map(|it| it.0), 1),
+                (its.power_kw.map(|it| it.0), 2),
+            ];
+            let optional = optional.into_iter().filter_map(|(figure, places)| Some((figure?, places)));
+            let figures = [
+                (its.depth_of_cut_mm, 2),
+                (its.feed_mm_per_rev.0, 3),
+                (its.speed_m_per_min.0, 1),
+                (its.spindle_rpm.0, 0),
+                (its.feed_mm_per_min.0, 0),
+                (its.machine_time_min.0, 2),
+            ];
+            for (figure, places) in figures.into_iter().chain(optional) {
+                has(&format!("{figure:.places$}").replace('.', ","));
+            }
+        }
+        if let Some(own) = &plan.clamping {
+            has(&format!("Q = {:.0}", own.force_per_clamp_n.0));
+            let formula = if own.side_force_n.is_some() { "k·P/(f + f2)" } else { "k·M/(f·d)" };
+            has(&format!("W = {formula} = {:.0}", own.force_n.0));
+        }
+        for stop in plan.sequence.iter().flat_map(|visit| &visit.stops) {
+            let point = [stop.at.x, stop.at.y].map(|at| Lang::UK.figure(&at.into_figure()));
+            has(&format!("{} [{}; {}]", stop.hole, point[0], point[1]));
         }
         has(&format!("{:.2}", plan.time.total_min.0).replace('.', ","));
     }

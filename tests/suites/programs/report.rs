@@ -186,3 +186,85 @@ fn conclusions_are_those_of_plan_and_program() {
     assert!(refused >= 4, "no machine refuses a thread");
     std::fs::remove_dir_all(&folder).unwrap();
 }
+
+/// Each kind of tool has the limit of its kind, and a blank whose metal is known has a mass: 0.5·0.3·0.04 m³ of 7850 kg/m³. The
+/// drill is Ø20, and ГФ2171 drives drills up to Ø30 and end mills up to Ø40 (catalogs/machines/gf2171.yaml).
+#[test]
+fn the_blank_is_weighed_and_a_drill_is_held_against_drills() {
+    let row = |text: &str, name: &str| -> Vec<String> {
+        let line = text.lines().find(|line| line.contains(name)).unwrap_or_else(|| panic!("{name}: {text}"));
+        line.split('|').map(|cell| cell.trim().to_owned()).skip(1).collect()
+    };
+    let plate = printed(&["report", "examples/plate.yaml", "--lang", "en", "--format", "text"]);
+    assert_eq!(row(&plate, "largest drill"), ["20 mm", "30 mm", "yes"]);
+    assert_eq!(row(&plate, "mass of the blank"), ["47.1 kg", "400 kg", "yes"]);
+    assert!(!plate.contains("diameter of the largest end mill"), "the plate is not milled");
+    let bracket = printed(&["report", "examples/bracket.yaml", "--lang", "en", "--format", "text"]);
+    assert_eq!(row(&bracket, "largest end mill"), ["12 mm", "40 mm", "yes"]);
+    let card =
+        printed(&["report", "examples/plate.yaml", "--only", "operation-card", "--lang", "uk", "--format", "text"]);
+    assert!(card.split_whitespace().collect::<Vec<_>>().join(" ").contains("МЗ: 47,1;"), "{card}");
+}
+
+/// A designation stands on one line with its prefix and its standard, a sheet begins with the letter of its line, and the step, its
+/// tool and its figures stand on one sheet.
+#[test]
+fn cards_keep_together_what_belongs_together() {
+    for part in ["bracket", "variant-4", "plate"] {
+        for form in ["route-card", "operation-card"] {
+            let path = format!("examples/{part}.yaml");
+            let text = printed(&["report", &path, "--only", form, "--lang", "uk", "--format", "text"]);
+            let coded = |line: &str| -> Option<(String, u32)> {
+                let code = line.trim().split(';').next()?;
+                let letters: String = code.chars().take_while(|sign| sign.is_alphabetic()).collect();
+                let number = code[letters.len()..].parse().ok()?;
+                (line.contains(';') && letters.chars().count() <= 1).then_some((letters, number))
+            };
+            let lines: Vec<(&str, String, u32)> =
+                text.lines().filter_map(|line| coded(line).map(|(letter, number)| (line, letter, number))).collect();
+            assert!(lines.len() > 5, "{part} {form}: {text}");
+            for (line, letter, number) in &lines {
+                assert!(*number != 1 || !letter.is_empty(), "{part} {form}: a sheet begins without its letter: {line}");
+                let end = line.trim_end_matches(';').split(' ').next_back().unwrap();
+                assert!(!["ДІ", "РІ", "ОСТ", "ТУ", "ГОСТ"].contains(&end), "{part} {form}: cut: {line}");
+            }
+            for pair in lines.windows(2) {
+                let [(_, letter, _), (_, next, number)] = pair else { continue };
+                let parted = form == "operation-card" && letter == "Т" && next == "Р" && *number == 1;
+                assert!(!parted, "{part} {form}: figures on another sheet than their tool");
+            }
+        }
+    }
+}
+
+/// A mill in a slot goes round: it has no travel of a drill. Ø12 in a slot 14 wide and 16 deep goes down in 3 levels, and at each once
+/// along the middle and once around.
+#[test]
+fn the_card_of_a_slot_has_the_passes_of_its_mill() {
+    let text =
+        printed(&["report", "examples/bracket.yaml", "--only", "operation-card", "--lang", "uk", "--format", "text"]);
+    let of_mill: Vec<&str> = text.lines().filter(|line| line.contains("D або B: 13,09;")).collect();
+    assert!(of_mill.len() == 1 && of_mill[0].contains("L: –; ") && of_mill[0].contains("i: 6;"), "{text}");
+    let of_drill: Vec<&str> = text.lines().filter(|line| line.contains("D або B: 11;")).collect();
+    assert!(of_drill.len() == 1 && of_drill[0].contains("i: 1;") && !of_drill[0].contains('–'), "{text}");
+    assert!(!text.contains("отв. 14H12") && text.contains("паз 14H12"), "{text}");
+}
+
+/// Ukrainian pages name a table as people do: with the letter of the textbook, or by its title. Answers about tables, and English
+/// pages, have its id.
+#[test]
+fn ukrainian_pages_name_tables_for_people() {
+    let report = printed(&["report", "examples/plate.yaml", "--lang", "uk", "--format", "text"]);
+    assert!(report.contains("А.9 07") && !report.contains("A.9"), "{report}");
+    for id in ["time-norms", "loading-time", "practice-sources"] {
+        assert!(!report.contains(id), "{id}");
+    }
+    assert!(report.contains("«Нормативи часу"), "{report}");
+    let english = printed(&["report", "examples/plate.yaml", "--lang", "en", "--format", "text"]);
+    assert!(english.contains("A.9 07") && english.contains("time-norms"), "{english}");
+    let why = printed(&["explain", "examples/plate.yaml", "--hole", "A", "--lang", "uk"]);
+    assert!(why.contains("centre-spot") && why.contains("[А.6, рядок"), "{why}");
+    assert!(printed(&["table", "--lang", "uk"]).contains("A.9"), "a list for `technolog table`");
+    let turned = printed(&["report", "examples/turned-bushing.yaml", "--lang", "uk", "--format", "text"]);
+    assert!(!turned.contains("turning-blank") && turned.contains("лекція 12.1"), "{turned}");
+}

@@ -24,18 +24,33 @@ pub fn write(body: &mut Body<'_>, form: &Form) {
     );
     (0..widths.len()).for_each(|at| xml.push_str(&format!("<w:gridCol w:w=\"{:.0}\"/>", twips(at, 1))));
     xml.push_str("</w:tblGrid>");
+    // The columns of the body have no full rules between them, only the frame around them.
+    let last = widths.len();
+    let edges = |kind: CellKind, at: usize, span: usize| -> &'static [&'static str] {
+        match (kind, at == 0, at + span == last) {
+            (CellKind::Gap, ..) => &[],
+            (CellKind::Line, false, false) => &["top", "bottom"],
+            (CellKind::Line, true, false) => &["top", "left", "bottom"],
+            (CellKind::Line, false, true) => &["top", "bottom", "right"],
+            (CellKind::Line, true, true) | (CellKind::Name | CellKind::Value, ..) => {
+                &["top", "left", "bottom", "right"]
+            }
+        }
+    };
     // Cells that reach down: their first column, how many they span, the rows that are left, and their edges.
     let mut held: Vec<(usize, usize, u16, CellKind)> = Vec::new();
     for (row, cells) in form.rows.iter().zip(rows) {
         let height = format!("{:.0}", f64::from(row.lines) * LINE);
+        // A line of the body holds what was broken to its width; were it taller in other letters, the sheet would need two pages.
+        let rule = if row.cells.iter().any(|cell| cell.kind == CellKind::Line) { "exact" } else { "atLeast" };
         xml.push_str(&format!(
-            "<w:tr><w:trPr><w:cantSplit/><w:trHeight w:val=\"{height}\" w:hRule=\"atLeast\"/></w:trPr>"
+            "<w:tr><w:trPr><w:cantSplit/><w:trHeight w:val=\"{height}\" w:hRule=\"{rule}\"/></w:trPr>"
         ));
         let (mut at, mut begun) = (0, Vec::new());
         let mut cells = cells.into_iter().peekable();
         while at < widths.len() {
             if let Some((_, span, _, kind)) = held.iter().find(|(first, ..)| *first == at) {
-                xml.push_str(&cell("<w:vMerge/>", *kind, *span, twips(at, *span), ""));
+                xml.push_str(&cell("<w:vMerge/>", edges(*kind, at, *span), *kind, *span, twips(at, *span), ""));
                 at += span;
                 continue;
             }
@@ -44,7 +59,7 @@ pub fn write(body: &mut Body<'_>, form: &Form) {
                 begun.push((at, span, own.rows - 1, own.kind));
             }
             let merge = if own.rows > 1 { "<w:vMerge w:val=\"restart\"/>" } else { "" };
-            xml.push_str(&cell(merge, own.kind, span, twips(at, span), &words(own)));
+            xml.push_str(&cell(merge, edges(own.kind, at, span), own.kind, span, twips(at, span), &words(own)));
             at += span;
         }
         held.iter_mut().for_each(|own| own.2 -= 1);
@@ -61,13 +76,7 @@ fn words(cell: &FormCell) -> String {
     line(&cell.words)
 }
 
-fn cell(merge: &str, kind: CellKind, span: usize, width: f64, runs: &str) -> String {
-    let edges: &[&str] = match kind {
-        CellKind::Name | CellKind::Value => &["top", "left", "bottom", "right"],
-        // The columns of the body have no full rules between them.
-        CellKind::Line => &["top", "bottom"],
-        CellKind::Gap => &[],
-    };
+fn cell(merge: &str, edges: &[&str], kind: CellKind, span: usize, width: f64, runs: &str) -> String {
     let edge = |side: &&str| format!("<w:{side} w:val=\"single\" w:sz=\"4\" w:space=\"0\" w:color=\"auto\"/>");
     let edges: String = edges.iter().map(edge).collect();
     let edges = if edges.is_empty() { edges } else { format!("<w:tcBorders>{edges}</w:tcBorders>") };

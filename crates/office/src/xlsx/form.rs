@@ -3,7 +3,7 @@
 use rust_xlsxwriter::{Format, FormatAlign, FormatBorder, Worksheet};
 use technolog_document::{Align, CellKind, FORM_LINE_MM, FORM_STEP_MM, Form, FormCell};
 
-use super::{figure, shown, text_of};
+use super::{figure, marked, shown, text_of};
 use crate::OfficeError;
 
 /// A millimetre in pixels of a screen, by which workbooks measure, and in points.
@@ -55,7 +55,7 @@ fn write(sheet: &mut Worksheet, cell: &FormCell, (row, at): (u32, u16), span: u1
         CellKind::Value => plain.set_border(FormatBorder::Thin),
         CellKind::Line => plain.set_border_top(FormatBorder::Thin).set_border_bottom(FormatBorder::Thin),
     };
-    let value = figure(&cell.words, Align::Left);
+    let value = figure(&cell.words, Align::Left).or_else(|| marked(&cell.words));
     let format = match value {
         Some((value, unit)) => format.set_num_format(shown(value, unit)),
         None => format,

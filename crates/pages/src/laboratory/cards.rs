@@ -8,11 +8,14 @@
 //! - `route` the route card; `operation` the operation card; here what they share: title block, lines, sheets.
 
 use crate::document::{Block, CellKind, Document, Form, FormCell, FormRow, Inlines};
+use crate::error::KnowledgeError;
 use crate::note::Note;
 use crate::plan::{Plan, ToolPlan, Transition};
 use crate::words::say;
+use crate::zone::{Mass, mass};
 
 use super::super::sheet::{self, exactly};
+use super::limits::kilograms;
 use super::norm::marked;
 use super::{Lang, Sources, TitleBlock};
 
@@ -24,10 +27,15 @@ pub(super) use route::card as route_card;
 
 /// A line of the body: its letter, and the cells right of the line's code.
 struct Line {
-    /// `А`, `Б`, `О`, `Т`, `Р`; empty for the rest of a text that did not end on the line above.
+    /// `А`, `Б`, `О`, `Т`, `Р`; empty for a line that nothing is written on.
     letter: &'static str,
+    /// Whether it goes on with the text of the line above: it has its letter only at the head of a sheet.
+    goes_on: bool,
     cells: Vec<FormCell>,
 }
+
+/// Lines that stand on one sheet: a step with its tool and its figures.
+type Group = Vec<Line>;
 
 /// Characters of the code of a line.
 const CODE: u16 = 5;
@@ -77,38 +85,68 @@ fn line(letter: &'static str, lang: Lang, columns: &[(u16, &'static str)], held:
     let cells = columns.iter().zip(held).map(|((width, key), words)| {
         FormCell::new(CellKind::Line, *width, words).named(if key.is_empty() { "" } else { lang.word(key) })
     });
-    Line { letter, cells: cells.collect() }
+    Line { letter, goes_on: false, cells: cells.collect() }
 }
 
-/// A text over the whole width, on as many lines as it needs; only the first has the letter.
-fn text(letter: &'static str, text: &str, tail: &[FormCell]) -> Vec<Line> {
-    let width = REST - tail.iter().map(|cell| cell.width).sum::<u16>();
+/// A text over the whole width, on as many lines as it needs.
+fn text(letter: &'static str, text: &str, tail: &[FormCell]) -> Group {
+    whole(letter, &text.split_whitespace().collect::<Vec<_>>(), tail)
+}
+
+/// Pieces over the whole width; what is one piece stays on one line, unless no line holds it.
+fn whole(letter: &'static str, pieces: &[&str], tail: &[FormCell]) -> Group {
+    let room = REST - tail.iter().map(|cell| cell.width).sum::<u16>();
+    let width = usize::from(room);
+    let letters = |text: &str| text.chars().count();
+    let pieces = pieces.iter().flat_map(|piece| match letters(piece) > width {
+        true => piece.split(' ').collect(),
+        false => vec![*piece],
+    });
     let mut rows: Vec<String> = vec![String::new()];
-    for word in text.split_whitespace() {
-        let long = rows.last().map_or(0, |row| row.chars().count());
-        if long > 0 && long + 1 + word.chars().count() > usize::from(width) {
+    for piece in pieces {
+        let long = rows.last().map_or(0, |row| letters(row));
+        if long > 0 && long + 1 + letters(piece) > width {
             rows.push(String::new());
         }
         if let Some(row) = rows.last_mut() {
             row.push_str(if row.is_empty() { "" } else { " " });
-            row.push_str(word);
+            row.push_str(piece);
         }
     }
     let row = |(at, words): (usize, String)| {
-        let mut cells = vec![FormCell::new(CellKind::Line, width, words)];
+        let mut cells = vec![FormCell::new(CellKind::Line, room, words)];
         // The figures of a step stand on its first line.
         cells.extend(tail.iter().map(|cell| match at {
             0 => cell.clone(),
             _ => FormCell { words: Inlines::default(), ..cell.clone() },
         }));
-        Line { letter: if at == 0 { letter } else { "" }, cells }
+        Line { letter, goes_on: at > 0, cells }
     };
     rows.into_iter().enumerate().map(row).collect()
 }
 
 /// An empty line, as stands between operations.
 fn empty() -> Line {
-    Line { letter: "", cells: vec![FormCell::new(CellKind::Line, REST, "")] }
+    Line { letter: "", goes_on: false, cells: vec![FormCell::new(CellKind::Line, REST, "")] }
+}
+
+/// The lines of each sheet: a group that the rest of a sheet does not hold begins the next one, unless no sheet holds it.
+fn paged(body: Vec<Group>, [first, following]: [usize; 2]) -> Vec<Vec<Line>> {
+    let mut sheets: Vec<Vec<Line>> = vec![Vec::new()];
+    for group in body {
+        let long = group.len();
+        for (at, line) in group.into_iter().enumerate() {
+            let fits = if sheets.len() == 1 { first } else { following };
+            let held = sheets.last().map_or(0, Vec::len);
+            if held == fits || (at == 0 && held + long > fits && long <= following) {
+                sheets.push(Vec::new());
+            }
+            if let Some(sheet) = sheets.last_mut() {
+                sheet.push(line);
+            }
+        }
+    }
+    sheets
 }
 
 /// The sheets of a card: the title block, what stands under it, the heads of the body, and the body over as many sheets
@@ -116,16 +154,17 @@ fn empty() -> Line {
 fn sheets(
     kind: &Kind,
     [under_title, heads]: [Vec<FormRow>; 2],
-    mut body: Vec<Line>,
+    body: Vec<Group>,
     own: &Sources<'_>,
     title: &TitleBlock,
     lang: Lang,
 ) -> Vec<Form> {
     let [first, following] = kind.fits;
-    let rest = body.len().saturating_sub(first);
-    let count = 1 + rest.div_ceil(following);
+    let paged = paged(body, kind.fits);
+    let count = paged.len();
     let mut forms = Vec::new();
-    for sheet in 1..=count {
+    for (sheet, lines) in (1..).zip(paged) {
+        let mut lines = lines.into_iter();
         let fits = if sheet == 1 { first } else { following };
         let mut rows = changes(sheet, count, lang);
         match sheet {
@@ -137,8 +176,9 @@ fn sheets(
         }
         rows.extend(heads.iter().cloned());
         for number in 1..=fits {
-            let line = if body.is_empty() { empty() } else { body.remove(0) };
-            let code = FormCell::new(CellKind::Line, CODE, format!("{}{number:02}", line.letter));
+            let line = lines.next().unwrap_or_else(empty);
+            let letter = if line.goes_on && number > 1 { "" } else { line.letter };
+            let code = FormCell::new(CellKind::Line, CODE, format!("{letter}{number:02}"));
             // A line that nothing is written on is not told by what prints lines of text.
             let is_empty = line.cells.iter().all(|cell| cell.words.is_empty());
             let code = if is_empty { FormCell { kind: CellKind::Name, ..code } } else { code };
@@ -223,8 +263,8 @@ fn times(own: &Sources<'_>, lang: Lang) -> [Inlines; 2] {
     [marked(norm.piece, of_piece, lang), marked(Some(norm.preparatory), of_lot, lang)]
 }
 
-/// A cutter and its holder with their words, in the order of the line Т: `ДІ …; РІ …`.
-fn equipment(own: &Sources<'_>, tool: &ToolPlan, lang: Lang) -> String {
+/// A cutter and its holder with their words, in the order of the line Т: `ДІ …;` and `РІ …`.
+fn equipment(own: &Sources<'_>, tool: &ToolPlan, lang: Lang) -> Vec<String> {
     let standard = |id: &str| own.knowledge.table(id).ok().and_then(|table| table.standard.clone());
     let with = |key: &'static str, what: String, id: &str| {
         let what = [Some(what), standard(id)].into_iter().flatten().collect::<Vec<_>>().join(" ");
@@ -234,13 +274,27 @@ fn equipment(own: &Sources<'_>, tool: &ToolPlan, lang: Lang) -> String {
     let cutter = with("card-cutter", cutter, &tool.table);
     // A cutter with the machine's taper needs no holder.
     match tool.holder == tool.designation {
-        true => cutter,
-        false => format!("{}; {cutter}", with("card-holder", tool.holder.clone(), &tool.holder_table)),
+        true => vec![cutter],
+        false => vec![with("card-holder", tool.holder.clone(), &tool.holder_table), cutter],
     }
+}
+
+/// The line Т of tools: each designation with its prefix and its standard is one piece.
+fn tools_line(tools: &[String]) -> Group {
+    let last = tools.len().saturating_sub(1);
+    let pieces = tools.iter().enumerate().map(|(at, tool)| if at < last { format!("{tool};") } else { tool.clone() });
+    let pieces: Vec<String> = pieces.collect();
+    whole("Т", &pieces.iter().map(String::as_str).collect::<Vec<_>>(), &[])
 }
 
 fn tool_of<'p>(plan: &'p Plan, transition: &Transition) -> Option<&'p ToolPlan> {
     plan.tools.iter().find(|tool| tool.number == transition.tool.number && !transition.elsewhere)
+}
+
+/// The mass of the blank, kg; an empty field for the shop where it is not one figure.
+fn blank_mass(own: &Sources<'_>, lang: Lang) -> Result<Inlines, KnowledgeError> {
+    let mass = mass(&own.plan.part, own.knowledge)?.and_then(Mass::exact);
+    Ok(mass.map(|mass| Inlines::number(lang.figure(&kilograms(mass)))).unwrap_or_default())
 }
 
 /// A time in min with two decimal places.

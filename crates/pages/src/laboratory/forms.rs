@@ -45,7 +45,7 @@ impl Form {
         let mut page = match self {
             Self::RouteCard | Self::OperationCard => {
                 let card = if self == Self::RouteCard { cards::route_card } else { cards::operation_card };
-                let mut page = card(own, title, lang);
+                let mut page = card(own, title, lang)?;
                 norm::section(&mut page, own, lang);
                 page
             }

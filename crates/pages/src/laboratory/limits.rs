@@ -2,13 +2,15 @@
 
 use crate::demand::{Beside, Demand, demands};
 use crate::document::{Block, Column, Document, Inlines, Table};
+use crate::error::KnowledgeError;
 use crate::machine::Machine;
 use crate::note::Figure;
 use crate::report::unit as unit_of;
 use crate::tables::machines::MachineQuantity;
 use crate::units::{Micrometres, Unit};
+use crate::zone::Mass;
 
-use super::super::sheet::{finding as finding_of, findings_of_errors};
+use super::super::sheet::{finding as finding_of, findings_of_errors, rounded};
 use super::super::words::say;
 use super::{Lang, Sources};
 
@@ -34,7 +36,15 @@ pub(super) fn record(machine: &Machine<'_>, lang: Lang) -> Table {
 }
 
 /// The inequalities, each with both sides; then what stands against the part.
-pub(super) fn section(page: &mut Document, own: &Sources<'_>, machine: &Machine<'_>, lang: Lang) {
+///
+/// # Errors
+/// A table of the masses is broken.
+pub(super) fn section(
+    page: &mut Document,
+    own: &Sources<'_>,
+    machine: &Machine<'_>,
+    lang: Lang,
+) -> Result<(), KnowledgeError> {
     let plan = own.plan;
     let mut table = Table::new([
         Column::text(say!(lang, "lab-limit")).min_width(24),
@@ -42,11 +52,19 @@ pub(super) fn section(page: &mut Document, own: &Sources<'_>, machine: &Machine<
         Column::text(say!(lang, "lab-available")),
         Column::text(say!(lang, "lab-enough")).min_width(4),
     ]);
-    for demand in demands(plan, machine) {
-        let enough = lang.word(if demand.is_met() { "lab-yes" } else { "lab-no" });
+    for demand in demands(plan, machine, own.knowledge)? {
+        let enough = lang.word(match demand.is_met() {
+            Some(true) => "lab-yes",
+            Some(false) => "lab-no",
+            None => "lab-unsure",
+        });
         let (name, unit, [needed, available]) = said(&demand);
         let side = |value: f64| Inlines::default().quantity(lang.figure(&short(value)), unit_of(unit, lang));
-        table.row([lang.word(name).into(), side(needed), side(available), enough.into()]);
+        let needed = match demand {
+            Demand::MassKg(mass, _) => weight(mass, lang),
+            _ => side(needed),
+        };
+        table.row([lang.word(name).into(), needed, side(available), enough.into()]);
     }
     page.push(table);
     let key = match (plan.has_errors() || own.warning.is_some(), own.left.is_empty()) {
@@ -58,6 +76,32 @@ pub(super) fn section(page: &mut Document, own: &Sources<'_>, machine: &Machine<
     findings_of_errors(page, plan, lang);
     own.of_program().for_each(|finding| finding_of(page, plan, finding, lang));
     page.push(Block::List(own.left.iter().map(|left| Inlines::sentence(left).into()).collect()));
+    Ok(())
+}
+
+/// A mass with its unit: one figure, between two, or at most one.
+pub(super) fn weight(mass: Mass, lang: Lang) -> Inlines {
+    let kilogram = || unit_of(Unit::Kilogram, lang);
+    let [least, most] = [mass.least, mass.most].map(|own| lang.figure(&kilograms(own)));
+    match mass.exact() {
+        Some(_) => Inlines::default().quantity(most, kilogram()),
+        None if mass.least > 0.0 => format!("{least}–{most} {}", kilogram()).into(),
+        None => Inlines::from("≤ ").quantity(most, kilogram()),
+    }
+}
+
+/// A mass with three significant digits, as blanks are weighed.
+pub(super) fn kilograms(mass: f64) -> Figure {
+    rounded(
+        mass,
+        if mass < 1.0 {
+            3
+        } else if mass < 10.0 {
+            2
+        } else {
+            1
+        },
+    )
 }
 
 /// The name of a demand, its unit, and both of its sides in that unit.
@@ -67,15 +111,17 @@ fn said(demand: &Demand) -> (&'static str, Unit, [f64; 2]) {
         Demand::SpanX(own) => ("lab-span-x", Unit::Millimetre, mm(own)),
         Demand::SpanY(own) => ("lab-span-y", Unit::Millimetre, mm(own)),
         Demand::Assembly(own) => ("lab-tool-length", Unit::Millimetre, mm(own)),
-        Demand::ToolDiameter(own) => ("lab-tool-diameter", Unit::Millimetre, mm(own)),
+        Demand::Drill(own) => ("lab-drill", Unit::Millimetre, mm(own)),
+        Demand::EndMill(own) => ("lab-end-mill", Unit::Millimetre, mm(own)),
+        Demand::OtherTool(own) => ("lab-tool-diameter", Unit::Millimetre, mm(own)),
         Demand::Power(own) => ("lab-power", Unit::Kilowatt, [own.needed.0, own.available.0]),
         Demand::Torque(own) => ("lab-torque", Unit::NewtonMetre, [own.needed.0, own.available.0]),
         Demand::Thrust(own) => ("lab-thrust", Unit::Newton, [own.needed.0, own.available.0]),
-        Demand::MassKg(own) => ("lab-mass", Unit::Kilogram, [own.needed, own.available]),
+        Demand::MassKg(mass, limit) => ("lab-mass", Unit::Kilogram, [mass.most, *limit]),
     }
 }
 
 /// A figure with as many places as a reader of a characteristic wants.
 fn short(value: f64) -> Figure {
-    super::super::sheet::rounded(value, 3)
+    rounded(value, 3)
 }

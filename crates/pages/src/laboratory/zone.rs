@@ -72,7 +72,6 @@ pub(super) fn drawing(plan: &Plan, stand: &Stand, machine: &Machine<'_>, lang: L
     canvas.line(&[(x - 4.0, face), (axis - wide, face)], Pen::solid("#ccc", 0.6));
     canvas.line(&[(x - 4.0, floor), (edge.0, floor)], Pen::solid("#ccc", 0.6));
     height(&mut canvas, x, floor, face);
-    canvas.text((x + 6.0, face + 16.0), 11.0, Anchor::Start, &say!(lang, "lab-zone-nose", height = nose));
     let heights = [
         (tip.to_mm(), nose.to_mm(), say!(lang, "lab-zone-tool", length = tool.length_mm)),
         (top, tip.to_mm(), say!(lang, "lab-zone-gap", height = gap)),
@@ -97,7 +96,10 @@ pub(super) fn drawing(plan: &Plan, stand: &Stand, machine: &Machine<'_>, lang: L
         canvas.head((side.0, below), (edge.0, below), THIN);
         canvas.text((middle, below + 14.0), 12.0, Anchor::Middle, &length);
     }
-    Some((tool.number, canvas.page(WIDTH, below + 26.0)))
+    // Beside its line it would stand in the tool over a narrow part.
+    let foot = below + 30.0;
+    canvas.text((x - 4.0, foot), 11.0, Anchor::Start, &say!(lang, "lab-zone-nose", height = nose));
+    Some((tool.number, canvas.page(WIDTH, foot + 12.0)))
 }
 
 /// The heights at the right, each with its own line; texts that would stand in one another are moved down.

@@ -68,8 +68,8 @@ impl Keys<'_> {
     /// The zeros of a set-up (textbook 4.2.1.6).
     fn zeros(&self, stand: &Stand, plan: &Plan) -> Option<Vec<String>> {
         let mut steps = vec![self.step(Stage::Zeros, Note::new("keys-zeros").with("setup", stand.set_up))?];
-        let frames = std::iter::once((stand.frame, crate::sheet::zero_sums(stand, plan)));
-        let radii = |other: &OtherZero| crate::sheet::less_radii(other.sides_mm, other.touched);
+        let frames = std::iter::once((stand.frame, crate::sheet::zero_sums(stand, plan, self.lang)));
+        let radii = |other: &OtherZero| crate::sheet::less_radii(other.sides_mm, other.touched, self.lang);
         let others = stand.other_zeros.iter().map(|other| (other.frame, radii(other)));
         let mut shown = 1;
         for (frame, [x, y]) in frames.chain(others) {
@@ -104,7 +104,7 @@ impl Keys<'_> {
             steps.push(match stand.face_mm {
                 Micrometres::ZERO => self.step(Stage::ReadZ, note("keys-read-z"))?,
                 face => {
-                    let less = crate::sheet::less(face);
+                    let less = crate::sheet::less(face, self.lang);
                     self.step(Stage::Value, note("keys-value-z").with("less", less))?
                 }
             });

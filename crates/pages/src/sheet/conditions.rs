@@ -22,7 +22,7 @@ pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
             }
         }
     }
-    let mut table = table(lang);
+    let mut table = table(plan, lang);
     let marked = rows.iter().flat_map(|(_, cells)| cells.first()).any(|tool| tool.plain().ends_with(MARK));
     for (names, cells) in rows {
         table.row([Inlines::from(names.join(", "))].into_iter().chain(cells));
@@ -40,10 +40,10 @@ pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
 }
 
 /// On a narrow screen forces and power are left out first, then the transition: tool and diameter identify the row.
-fn table(lang: Lang) -> Table {
+fn table(plan: &Plan, lang: Lang) -> Table {
     let column = |key, unit| Column::number(heading(key, lang), lang.word(unit));
     Table::new([
-        Column::text(say!(lang, "plan-hole")).min_width(4),
+        super::of_surface(plan, lang),
         Column::text("T"),
         Column::text(say!(lang, "plan-transition")).keep(Keep::Optional),
         Column::number("Ø", lang.word("unit-mm")),

@@ -10,7 +10,7 @@ use crate::plan::{
 };
 use crate::units::Micrometres;
 
-use super::{Lang, chains, clamps_of, mark, pins, rounded, say, weak_screw};
+use super::{Lang, chains, clamps_of, mark, mm, pins, rounded, say, surface, weak_screw};
 
 /// The steps of all set-ups, numbered throughout.
 pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
@@ -74,7 +74,7 @@ fn on_table(held: Held<'_>, stand: &Stand, plan: &Plan, lang: Lang) -> Vec<Strin
             let turned = (stand.face == Face::Back).then(|| lang.word("plan-clamps-turned").to_owned());
             [Some(clamps(clamping, &plan.part, lang)), turned].into_iter().flatten().collect::<Vec<_>>().join(" ")
         }
-        Held::Own(own) => own_fixture(own, lang),
+        Held::Own(own) => own_fixture(own, &plan.part, lang),
         Held::Vice(_) | Held::Nothing if stand.face == Face::Back => {
             say!(lang, "setting-clamps-of-second", setup = stand.set_up).to_owned()
         }
@@ -136,11 +136,12 @@ pub(crate) fn bar_set(bar: &BarSetting, lang: Lang) -> String {
 }
 
 /// What the fixture of the file must hold.
-pub(crate) fn own_fixture(own: &OwnFixture, lang: Lang) -> String {
+pub(crate) fn own_fixture(own: &OwnFixture, part: &Part, lang: Lang) -> String {
     let note = Note::new(if own.side_force_n.is_some() { "plan-own-fixture-pushed" } else { "plan-own-fixture" });
     let side = own.side_force_n.map_or(0.0, |side| side.0);
     let note = note
         .with("name", Figure::called(&own.name))
+        .with("surface", surface(part, &own.hole, lang))
         .with("hole", Figure::called(&own.hole))
         .with("torque", rounded(own.torque_n_m.0, 2))
         .with("side", rounded(side, 0))
@@ -172,6 +173,7 @@ pub(crate) fn in_vice(vice: &Vice, stand: &Stand, plan: &Plan, lang: Lang) -> St
         .with("grip", vice.grip_mm)
         .with("below", vice.below_face_mm)
         .with("force", rounded(vice.force_n.0, 0))
+        .with("surface", surface(&plan.part, &vice.hole, lang))
         .with("hole", Figure::called(&vice.hole))
         .with("gives", rounded(vice.gives_n.0, 0));
     // The jaws stand along one axis, so that they press along the other.
@@ -193,6 +195,7 @@ fn clamps(clamping: &Clamping, part: &Part, lang: Lang) -> String {
         None => Note::new("plan-largest-force").with("distance", rounded(clamping.distance_mm.to_mm(), 1)),
     };
     let note = note
+        .with("surface", surface(part, &clamping.hole, lang))
         .with("hole", Figure::called(&clamping.hole))
         .with("torque", rounded(clamping.torque_n_m.0, 2))
         .with("force", rounded(clamping.force_n.0, 0));
@@ -208,7 +211,7 @@ fn place(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
     let [x, y, z] = stand.zero_mm;
     let knee = stand.nose_to_table_mm.map(|nose| lang.say(&Note::new("plan-knee").with("nose", nose)));
     let frame = format!("G{}", stand.frame);
-    let [right, back] = zero_sums(stand, plan);
+    let [right, back] = zero_sums(stand, plan, lang);
     let sides = match plan.zero_pin(stand.set_up) {
         Some(_) => Note::new("plan-zero-by-pin").with("frame", frame.as_str()).with("right", right).with("back", back),
         None => touching("plan-zero-by-sides", &frame, stand.touched, stand.sides_mm, lang),
@@ -223,7 +226,7 @@ fn place(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
     let face = Note::new("plan-zero-by-face")
         .with("frame", frame.as_str())
         .with("tool", stand.reference_tool.map_or_else(String::new, |tool| format!(" T{tool}")))
-        .with("face", if stand.face_mm == Micrometres::ZERO { String::new() } else { less(stand.face_mm) })
+        .with("face", if stand.face_mm == Micrometres::ZERO { String::new() } else { less(stand.face_mm, lang) })
         .with("z", z);
     let face = [lang.say(&face).as_str(), lang.word("plan-lengths-measured")].join(" ");
     knee.into_iter().chain([sides.join(" "), face]).chain(others).collect()
@@ -239,12 +242,11 @@ pub(crate) fn once(stand: &Stand, plan: &Plan) -> Option<&'static str> {
 }
 
 /// What is added to the readings xM, yM for the zero of a set-up.
-pub(crate) fn zero_sums(stand: &Stand, plan: &Plan) -> [String; 2] {
+pub(crate) fn zero_sums(stand: &Stand, plan: &Plan, lang: Lang) -> [String; 2] {
     match plan.zero_pin(stand.set_up) {
-        Some(pin) => {
-            [pin.at.x, pin.at.y].map(|length| if length == Micrometres::ZERO { String::new() } else { less(length) })
-        }
-        None => less_radii(stand.sides_mm, stand.touched),
+        Some(pin) => [pin.at.x, pin.at.y]
+            .map(|length| if length == Micrometres::ZERO { String::new() } else { less(length, lang) }),
+        None => less_radii(stand.sides_mm, stand.touched, lang),
     }
 }
 
@@ -272,7 +274,7 @@ fn start(stand: &Stand, lang: Lang) -> String {
 
 /// The sides that an arbor touches for a zero, and what is taken away from what it shows there.
 fn touching(key: &'static str, frame: &str, touched: Touched, sides: [Micrometres; 2], lang: Lang) -> Note {
-    let [right, back] = less_radii(sides, touched);
+    let [right, back] = less_radii(sides, touched, lang);
     Note::new(key)
         .with("frame", frame)
         .with("side", side(touched, Along::X, lang).to_owned())
@@ -290,18 +292,18 @@ fn other_zero(zero: &OtherZero, first: &str, lang: Lang) -> String {
 }
 
 /// The same for the two sides of a zero, as sums to key in.
-pub(crate) fn less_radii([along, across]: [Micrometres; 2], touched: Touched) -> [String; 2] {
-    [less_radius(along, touched.left), less_radius(across, touched.front)]
+pub(crate) fn less_radii([along, across]: [Micrometres; 2], touched: Touched, lang: Lang) -> [String; 2] {
+    [less_radius(along, touched.left, lang), less_radius(across, touched.front, lang)]
 }
 
 /// What is taken away from what an arbor Ø d at a side shows: ` − 250 − d/2`, at a left or front side ` + d/2`.
-fn less_radius(length: Micrometres, low: bool) -> String {
-    let length = if length == Micrometres::ZERO { String::new() } else { less(length) };
+fn less_radius(length: Micrometres, low: bool, lang: Lang) -> String {
+    let length = if length == Micrometres::ZERO { String::new() } else { less(length, lang) };
     format!("{length} {} d/2", if low { '+' } else { '−' })
 }
 
 /// A length taken away in a sum: ` − 250`, or ` + 250` where it lies on the other side of the zero.
-pub(crate) fn less(length: Micrometres) -> String {
+pub(crate) fn less(length: Micrometres, lang: Lang) -> String {
     let sign = if length < Micrometres::ZERO { '+' } else { '−' };
-    format!(" {sign} {}", length.abs())
+    format!(" {sign} {}", mm(length.abs(), lang))
 }

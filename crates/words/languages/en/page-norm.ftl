@@ -3,7 +3,7 @@ norm-heading = Norm of time
 norm-not-whole = A part that is not made whole has no norm of time.
 norm-piece = Tpiece = (Tb + Ta)·(1 + (service + rest)/100) = ({ $basic } + { $auxiliary })·(1 + ({ $service } + { $rest })/100) = { $piece } min.
 norm-no-loading = How long this part takes to load no table says: `loading` in the title block gives it. Until then there is no time per piece.
-norm-gauging-meanwhile = Holes are gauged while the machine makes the next part: of this time only what is longer than the program counts.
+norm-gauging-meanwhile = Gauging goes on while the machine makes the next part: of this time only what is longer than the program counts.
 norm-preparatory-is = Tset = { $preparatory } min for a lot.
 norm-with-lot = For a lot of { $lot } with its share of the preparation: Tpiece + Tset/n = { $piece } + { $preparatory }/{ $lot } = { $with } min.
 norm-no-lot = How many parts a lot has is not given (`lot` in the title block), so Tset is not shared among them.
@@ -19,8 +19,8 @@ norm-of-plan = plan
 norm-given = title block
 norm-loading = loading, clamping and unloading
 norm-more-clamps = each clamp beyond three
-norm-plug-coarse = hole of grade 11 and coarser, with a plug
-norm-plug-fine = hole of a finer grade, with a plug
+norm-plug-coarse = hole or slot of grade 11 and coarser, with a plug
+norm-plug-fine = hole or slot of a finer grade, with a plug
 norm-thread-plug = thread, with a plug
 norm-gauging-beyond = gauging that is longer than the program
 norm-service = looking after the place of work

@@ -61,7 +61,7 @@ plan-by-table = { $table } { $scheme }
 plan-by-complex = { $table } complex { $scheme }
 plan-by-search = search
 plan-by-search-as = search ({ $table } { $scheme })
-plan-order = Order over the holes
+plan-order = Order of the places
 plan-point = [{ $x }; { $y }]
 plan-choices = Required, the route taken, and the runner-up
 plan-choice = { $required }. Route: { $route }, { $time } min; { $against }
@@ -84,6 +84,7 @@ plan-correction = Correction (G43)
 plan-book-correction = In the book, Lmax − L
 # The cutting conditions.
 plan-hole = Hole
+plan-hole-or-slot = Hole, slot
 plan-transition = Transition
 plan-feed = S
 plan-feed-per-min = F
@@ -91,13 +92,13 @@ plan-thrust = P
 plan-torque = M
 plan-machine-time = Tm
 plan-mark = { $mark } rests on a row of a table that nothing confirms: see the findings.
-plan-for-one-hole = L is the travel at feed, t the depth of cut, S the feed, V the cutting speed, n the spindle speed, F the feed rate, P the thrust, M the torque, N, kW the power, and Tm the machine time of one hole.
+plan-for-one-hole = L is the travel at feed, t the depth of cut, S the feed, V the cutting speed, n the spindle speed, F the feed rate, P the thrust, M the torque, N, kW the power, and Tm the machine time of one hole or slot.
 plan-coolant = With coolant: { $operations }.
 plan-limited = { $hole }, { $operation } Ø{ $diameter }: limited by { $by }
 plan-card = { $hole }, { $operation }: by the card S = { $feed } mm/rev, V = { $speed } m/min, P = { $force } N, N = { $power } kW
 # Clamping and time.
-plan-largest-force = Hole { $hole } needs the largest clamping force: M = { $torque } N·m, { $distance } mm from its clamp, W = k·M/(f·d) = { $force } N.
-plan-largest-side-force = Hole { $hole } needs the largest clamping force: with M = { $torque } N·m the cutter pushes the part aside with P = 2·M/D = { $side } N; so that it does not slide under clamps and on supports, W = k·P/(f + f2) = { $force } N.
+plan-largest-force = The largest clamping force is needed for { $surface } { $hole }: M = { $torque } N·m, { $distance } mm from its clamp, W = k·M/(f·d) = { $force } N.
+plan-largest-side-force = The largest clamping force is needed for { $surface } { $hole }: with M = { $torque } N·m the cutter pushes the part aside with P = 2·M/D = { $side } N; so that it does not slide under clamps and on supports, W = k·P/(f + f2) = { $force } N.
 plan-clamps = Clamps { $points }: { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-clamps-proposed = Clamps { $points } (proposed): { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-weak-screw = The screw is too weak: it bears { $bears } N, and { $force } N are needed.
@@ -105,7 +106,7 @@ plan-lies = The left side is then at X{ $x } and the front side at Y{ $y } from 
 plan-vice = Set-up { $setup }: vice { $vice }, jaws along { $axis }, opened to { $opened } mm; the part { $on }, { $height } mm over the table.
 plan-on-parallels = on parallels { $height } mm high and { $thickness } mm thick at most
 plan-on-ways = on the ways
-plan-vice-grips = The jaws grip { $grip } mm and end { $below } mm below the face; for hole { $hole } they press with { $force } N, and the vice gives { $gives } N.
+plan-vice-grips = The jaws grip { $grip } mm and end { $below } mm below the face; for { $surface } { $hole } they press with { $force } N, and the vice gives { $gives } N.
 plan-vice-stop = Its { $jaw } side lies against the fixed jaw, its { $side } side against an end stop.
 plan-stops = Push it against stops: two at its { $long } side, one at its { $short } side.
 plan-stops-one = Push it against two stops at its { $long } side.
@@ -136,7 +137,7 @@ plan-straps = Straps { $width } mm wide and { $length } mm long, outward over th
 plan-studs = Their studs stand outside the part: where no slot of the table lies there, on a base plate, whose thickness belongs to fixture.height.
 plan-straps-lower = Straps with their nuts must be lower than { $most } mm over the face, the height at which tools go by the file.
 plan-zero-by-face = { $frame }: touch the face with the reference tool{ $tool } and read zM: Z = zM{ $face }; about Z{ $z } for the lengths of assemblies of this plan.
-plan-start = Start and tool change at X{ $x } Y{ $y } of the drawing, the ram up; from hole to hole { $level } mm over the face.
+plan-start = Start and tool change at X{ $x } Y{ $y } of the drawing, the ram up; between the places of work { $level } mm over the face.
 plan-start-to-clamp = The nearest clamp is { $away } mm from there.
 plan-fixture-universal-straps = Universal fixture: straps on the table (1.6).
 plan-fixture-universal-vice = Universal fixture: a vice (1.6).
@@ -157,8 +158,8 @@ plan-clamps-turned = X is counted as the part lies now: the other way than in th
 plan-keying-play = It costs up to { $play } mm of play*.
 plan-locating-error = It costs { $least } to { $most } mm from part to part*.
 plan-fixture-special-own = A fixture of your own (1.6).
-plan-own-fixture = { $name } holds the part. It must hold { $safety } times M = { $torque } N·m of hole { $hole }.
-plan-own-fixture-pushed = { $name } holds the part. It must hold { $safety } times M = { $torque } N·m of hole { $hole }, and { $safety } times a side force of { $side } N.
+plan-own-fixture = { $name } holds the part. It must hold { $safety } times M = { $torque } N·m of { $surface } { $hole }.
+plan-own-fixture-pushed = { $name } holds the part. It must hold { $safety } times M = { $torque } N·m of { $surface } { $hole }, and { $safety } times a side force of { $side } N.
 plan-other-zero = { $frame }, of { $holes }, on each part anew: touch the { $side } and the { $end } side with an arbor Ø d and read xM, yM: X = xM{ $right }, Y = yM{ $back }; on a blank of nominal size the X and Y of { $first }. Z is that of { $first }.
 plan-chain-hole = Holes
 plan-chain-from = From
@@ -189,6 +190,9 @@ plan-doubtful = doubtful
 plan-note = note
 plan-of-pocket = pocket { $pocket }: { $finding }
 plan-of-slot = slot { $slot }: { $finding }
+# For the hole.
+plan-hole-of = hole
+plan-slot-of = slot
 plan-of-hole = hole { $hole }: { $finding }
 # Why a hole is made as it is.
 explain-title = Hole { $hole } { $size }

@@ -48,14 +48,17 @@ lab-available = Available
 lab-enough = Enough
 lab-yes = yes
 lab-no = no
-lab-span-x = distance of the outermost holes along X, and travel of the table
-lab-span-y = distance of the outermost holes along Y, and travel of the table
+lab-unsure = not known
+lab-span-x = distance of the outermost centres along X, and travel of the table
+lab-span-y = distance of the outermost centres along Y, and travel of the table
 lab-tool-length = length of the longest assembly, and greatest overhang
-lab-tool-diameter = diameter of the largest tool
+lab-drill = diameter of the largest drill, and the largest drill of the machine
+lab-end-mill = diameter of the largest end mill, and the largest end mill of the machine
+lab-tool-diameter = diameter of the largest other tool, and the largest of any tool
 lab-power = greatest cutting power, and power of the main drive
 lab-torque = greatest torque
 lab-thrust = greatest axial force
-lab-mass = mass of the blank
+lab-mass = mass of the blank, and the largest mass on the table
 lab-can-be-made = Every surface of the task can be machined on this equipment: plan and program have no error.
 lab-cannot-be-made = Not all of the task can be done on this equipment as it stands:
 # The blank and the steps.
@@ -70,13 +73,17 @@ lab-change-apart = It has to be no nearer to a clamp than { $distance } mm (text
 lab-chart = Cycles of tool T{ $tool }. { $does }
 lab-program-form = The sheet follows GOST 3.1404-86, form 5a, as in Appendix Г of the textbook. Appendix В (programs of plants) is lost, so nothing refers to it.
 lab-not-to-run = This program must not be run: { $why }.
-lab-made = Holes machined: { $holes } of { $all }. Tools: { $tools }, transitions: { $transitions }, set-ups: { $setups }. Time by the plan: { $time } min.
+lab-made = { $slots ->
+    [0] Holes machined: { $holes } of { $all }.
+   *[other] Holes and slots machined: { $holes } of { $all }.
+} Tools: { $tools }, transitions: { $transitions }, set-ups: { $setups }. Time by the plan: { $time } min.
 lab-slowest = Group { $hole } takes longest: { $time } min.
 lab-nothing-wrong = The checks found no error in plan and program.
 # The file of the title block.
 lab-no-such-part = a report has no part { $text }
 lab-parts-are = parts have numbers from 1 to { $most }
-lab-blank-mass = Mass of the blank { $mass } kg.
+lab-blank-mass = Mass of the blank { $mass }.
+lab-plate-mass = Mass of the blank as a solid plate { $mass }.
 lab-more = Also, sizes in mm
 lab-step-of = { $size } to depth { $depth }
 lab-counterbore = counterbore Ø{ $diameter } to depth { $depth }
@@ -95,8 +102,8 @@ lab-can-be-made-but = On this equipment everything can be made but for:
 lab-left = The program does not do everything: { $what }.
 lab-unconfirmed = Rows of tables that the plan rests on and nothing confirms: { $count }. The plan itself lists them.
 form-tool-list = Tools and holders: { $part }
-lab-path-of = The path of tools over the holes: { $tools }
-lab-clamping-scheme = How the part is clamped: the clamps, the hole that needs the largest force, and its arm d
+lab-path-of = The path of tools over the part: { $tools }
+lab-clamping-scheme = How the part is clamped: the clamps, the surface that needs the largest force, and its arm d
 lab-clamping-arm = d = { $distance }
 lab-clamping-force = Q = { $force } N on each
 lab-clamping-torque = M = { $torque } N·m
@@ -187,7 +194,7 @@ card-holder = holder: { $what }
 card-times = Time of the program, min: cutting Tb = { $basic }; auxiliary of the machine (rapids, tool changes, dwells, ways out at feed) { $auxiliary }; hands while it waits { $hand }; together { $total }.
 card-standing = The card follows the forms of GOST 3.1118-82 and 3.1404-86. These Soviet standards are withdrawn in Ukraine; shops and departments keep the forms by custom. The widths of the lines М01 and М02 and of the strips of the operation card are ours: no drawing of them was found.
 card-route-legend = The letters before the numbers: А place and name of the operation, Б machine and norms, О its steps, Т tools. Unit 166 is the kilogram; Kp is the factor of time for one who serves several machines.
-card-operation-legend = The letters before the numbers: О a step with its cutting time Tb over all its holes, Т tools, Р conditions: D diameter, L working travel with approach and overrun, t depth of cut, i passes, S feed, n spindle speed, V cutting speed. Ta in the head is the auxiliary time: of the program and of loading the part, as the norm of time has it.
+card-operation-legend = The letters before the numbers: О a step with its cutting time Tb over all its surfaces, Т tools, Р conditions: D diameter, B width of a slot, L working travel with approach and overrun (a mill goes in circles or along a slot: its path has no one length), t depth of cut, i passes, S feed, n spindle speed, V cutting speed. Ta in the head is the auxiliary time: of the program and of loading the part, as the norm of time has it.
 card-by-hand = The shop fills in what is empty. The title block gives shop, trade, grade of work and the size of a lot, and times of the shop's own; where the figures of the norm come from stands under the norm of time.
 tool-list-cutters = Cutters as their catalogs have them
 tool-list-name = Name and designation

@@ -1,5 +1,7 @@
 # Numbers have a comma before their decimals.
 decimal-comma = так
+# The tables of the textbook are named with this letter on pages, and all others by their titles.
+table-letter = А
 # What is put before or after any sentence.
 of-scheme = схема { $scheme }
 and-more-alike = {""} (подібних іще { $more })

@@ -50,7 +50,7 @@ plan-by-table = { $table } { $scheme }
 plan-by-complex = { $table } комплекс { $scheme }
 plan-by-search = пошук
 plan-by-search-as = пошук ({ $table } { $scheme })
-plan-order = Обхід отворів
+plan-order = Порядок обходу
 plan-point = [{ $x }; { $y }]
 plan-choices = Вимоги, вибраний маршрут і наступний за ним
 plan-choice = { $required }. Маршрут: { $route }, { $time } хв; { $against }
@@ -73,6 +73,7 @@ plan-correction = Корекція (G43)
 plan-book-correction = За посібником Lmax − L
 # The cutting conditions.
 plan-hole = Отв.
+plan-hole-or-slot = Отв., паз
 plan-transition = Перехід
 plan-feed = S
 plan-feed-per-min = { "S" }хв
@@ -80,13 +81,13 @@ plan-thrust = Ро
 plan-torque = Мкр
 plan-machine-time = То
 plan-mark = { $mark } – спирається на рядок таблиці, якого ніщо не підтверджує: див. зауваження.
-plan-for-one-hole = L – шлях на робочій подачі, t – глибина різання, S – подача, V – швидкість різання, n – частота обертання, { "S" }хв – хвилинна подача, Ро – осьова сила, Мкр – крутний момент, N, кВт – потужність, То – основний (машинний) час на один отвір.
+plan-for-one-hole = L – шлях на робочій подачі, t – глибина різання, S – подача, V – швидкість різання, n – частота обертання, { "S" }хв – хвилинна подача, Ро – осьова сила, Мкр – крутний момент, N, кВт – потужність, То – основний (машинний) час на один отвір або паз.
 plan-coolant = З МОР: { $operations }.
 plan-limited = { $hole }, { $operation } Ø{ $diameter }: режим обмежує { $by }
 plan-card = { $hole }, { $operation }: за картою S = { $feed } мм/об, V = { $speed } м/хв, Ро = { $force } Н, N = { $power } кВт
 # Clamping and time.
-plan-largest-force = Найбільша потрібна сила закріплення – для отвору { $hole }: M = { $torque } Н·м, до притискача { $distance } мм, W = k·M/(f·d) = { $force } Н.
-plan-largest-side-force = Найбільшу силу затиску потребує отвір { $hole }: за M = { $torque } Н·м інструмент зсуває деталь із силою P = 2·M/D = { $side } Н; щоб вона не ковзала під притискачами й на опорах, W = k·P/(f + f2) = { $force } Н.
+plan-largest-force = Найбільша потрібна сила закріплення – для { $surface } { $hole }: M = { $torque } Н·м, до притискача { $distance } мм, W = k·M/(f·d) = { $force } Н.
+plan-largest-side-force = Найбільша потрібна сила закріплення – для { $surface } { $hole }: за M = { $torque } Н·м інструмент зсуває деталь із силою P = 2·M/D = { $side } Н; щоб вона не ковзала під притискачами й на опорах, W = k·P/(f + f2) = { $force } Н.
 plan-clamps = Притискачі { $points }: сила на кожному Q = { $force } Н, гвинт { $screw }; точка заміни інструмента – не ближче ніж { $distance } мм від притискача.
 plan-clamps-proposed = Притискачі { $points } (запропоновано): сила на кожному Q = { $force } Н, гвинт { $screw }; точка заміни інструмента – не ближче ніж { $distance } мм від притискача.
 plan-weak-screw = Гвинт заслабкий: витримує { $bears } Н, а потрібно { $force } Н.
@@ -94,7 +95,7 @@ plan-lies = Лівий бік тоді на X{ $x }, передній – на Y
 plan-vice = Установ { $setup }: лещата { $vice }, губки вздовж { $axis }, розведені на { $opened } мм; деталь { $on }, { $height } мм над столом.
 plan-on-parallels = на підкладках заввишки { $height } мм, не товщих за { $thickness } мм
 plan-on-ways = на напрямних
-plan-vice-grips = Губки тримають { $grip } мм і кінчаються на { $below } мм нижче за поверхню; для отвору { $hole } вони стискають із силою { $force } Н, а лещата дають { $gives } Н.
+plan-vice-grips = Губки тримають { $grip } мм і кінчаються на { $below } мм нижче за поверхню; для { $surface } { $hole } вони стискають із силою { $force } Н, а лещата дають { $gives } Н.
 plan-vice-stop = Нерухома губка – біля її { $jaw } боку, торцевий упор – біля { $side }.
 plan-stops = Притуліть її до упорів: двох біля { $long } боку й одного біля { $short }.
 plan-stops-one = Притуліть її до двох упорів біля { $long } боку.
@@ -125,7 +126,7 @@ plan-straps = Притискачі { $width } мм завширшки й { $leng
 plan-studs = Їхні шпильки стоять поза деталлю: де там немає паза стола – на плиті-основі, товщина якої входить у fixture.height.
 plan-straps-lower = Притискачі з гайками мають бути нижчі ніж { $most } мм над поверхнею: на цій висоті за файлом ідуть інструменти.
 plan-zero-by-face = { $frame }: торкніться поверхні еталонним інструментом{ $tool } і зчитайте zM: Z = zM{ $face }; близько Z{ $z } для довжин комплектів цього плану.
-plan-start = Вихідна точка й заміна інструмента – X{ $x } Y{ $y } креслення, повзун угорі; від отвору до отвору – { $level } мм над поверхнею.
+plan-start = Вихідна точка й заміна інструмента – X{ $x } Y{ $y } креслення, повзун угорі; між місцями оброблення – { $level } мм над поверхнею.
 plan-start-to-clamp = До найближчого притискача звідти { $away } мм.
 plan-fixture-universal-straps = Універсальне пристосування: притискачі на столі (1.6).
 plan-fixture-universal-vice = Універсальне пристосування: лещата (1.6).
@@ -146,8 +147,8 @@ plan-clamps-turned = X рахують, як деталь лежить тепер
 plan-keying-play = Це коштує до { $play } мм зазору*.
 plan-locating-error = Це коштує від { $least } до { $most } мм від деталі до деталі*.
 plan-fixture-special-own = Власне пристосування (1.6).
-plan-own-fixture = Деталь тримає { $name }. Воно має втримати { $safety } × M = { $torque } Н·м на отворі { $hole }.
-plan-own-fixture-pushed = Деталь тримає { $name }. Воно має втримати { $safety } × M = { $torque } Н·м на отворі { $hole } і { $safety } × бокову силу { $side } Н.
+plan-own-fixture = Деталь тримає { $name }. Для { $surface } { $hole } воно має втримати { $safety } × M = { $torque } Н·м.
+plan-own-fixture-pushed = Деталь тримає { $name }. Для { $surface } { $hole } воно має втримати { $safety } × M = { $torque } Н·м і { $safety } × бокову силу { $side } Н.
 plan-other-zero = { $frame }, для { $holes }, на кожній деталі знову: торкніться { $side } й { $end } боку оправкою Ø d і зчитайте xM, yM: X = xM{ $right }, Y = yM{ $back }; на заготовці номінального розміру – X і Y від { $first }. Z – як у { $first }.
 plan-chain-hole = Отвори
 plan-chain-from = База
@@ -178,6 +179,9 @@ plan-doubtful = сумнівно
 plan-note = зауваження
 plan-of-pocket = кишеня { $pocket }: { $finding }
 plan-of-slot = паз { $slot }: { $finding }
+# Genitive: for the hole.
+plan-hole-of = отвору
+plan-slot-of = паза
 plan-of-hole = отвір { $hole }: { $finding }
 # Why a hole is made as it is.
 explain-title = Отвір { $hole } { $size }

@@ -1,6 +1,6 @@
 # What all pages of turning say.
-turn-by-row = { $said } (`{ $table }`, рядок { $row }; { $place })
-turn-by-table = { $said } (`{ $table }`; { $place })
+turn-by-row = { $said } ({ $table }, рядок { $row }; { $place })
+turn-by-table = { $said } ({ $table }; { $place })
 turn-findings = Зауваження
 turn-figure = Половина осьового перерізу; вільний торець праворуч.
 turn-map-figure = Те саме графіком; L/D за логарифмічною шкалою.

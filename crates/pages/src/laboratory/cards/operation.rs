@@ -1,15 +1,19 @@
 //! The operation card: form 3 of GOST 3.1404-86 (without a sketch), following sheets by form 2а.
 
 use crate::document::{CellKind, Document, FormCell, FormRow, Inlines};
+use crate::error::KnowledgeError;
 use crate::note::IntoFigure;
 use crate::plan::Transition;
 use crate::words::say;
 
 use super::super::super::sheet::route::{WorkStep, told, work_steps};
-use super::super::super::sheet::{exactly, material, material_of, number};
+use super::super::super::sheet::{NONE, material, material_of, number};
 use super::super::norm::marked;
-use super::{Kind, Lang, Line, Sources, TitleBlock};
-use super::{equipment, line, machine_auxiliary, minutes, names, page, sheets, text, times, tool_of, values};
+use super::{Group, Kind, Lang, Line, Sources, TitleBlock};
+use super::{
+    blank_mass, equipment, line, machine_auxiliary, minutes, names, page, sheets, text, times, tool_of, tools_line,
+    values,
+};
 
 const KIND: Kind = Kind {
     marks: ["ГОСТ 3.1404-86  форма 3", "ГОСТ 3.1404-86  форма 2а"],
@@ -50,7 +54,7 @@ const P: [(u16, &str); 9] = [
 ];
 
 /// The card.
-pub(in super::super) fn card(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Document {
+pub(in super::super) fn card(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Result<Document, KnowledgeError> {
     let mut head = names(lang, &P);
     head.cells.insert(0, super::name(5, "Р"));
     let [mm, feed, speed, cutting] = ["unit-mm", "unit-mm-rev", "unit-1-min", "unit-m-min"].map(|unit| lang.word(unit));
@@ -58,11 +62,11 @@ pub(in super::super) fn card(own: &Sources<'_>, title: &TitleBlock, lang: Lang) 
     let cells = std::iter::once(super::name(5, ""))
         .chain(P.iter().zip(units).map(|((width, _), unit)| super::name(*width, unit)));
     let units = FormRow { lines: 1, cells: cells.collect() };
-    let forms = sheets(&KIND, [strips(own, lang), vec![head, units]], body(own, lang), own, title, lang);
-    page("card-operation-title", forms, own, &["card-standing", "card-operation-legend", "card-by-hand"], lang)
+    let forms = sheets(&KIND, [strips(own, lang)?, vec![head, units]], body(own, lang), own, title, lang);
+    Ok(page("card-operation-title", forms, own, &["card-standing", "card-operation-legend", "card-by-hand"], lang))
 }
 
-fn strips(own: &Sources<'_>, lang: Lang) -> Vec<FormRow> {
+fn strips(own: &Sources<'_>, lang: Lang) -> Result<Vec<FormRow>, KnowledgeError> {
     let plan = own.plan;
     let part = &plan.part;
     let none = Inlines::default;
@@ -71,7 +75,7 @@ fn strips(own: &Sources<'_>, lang: Lang) -> Vec<FormRow> {
         .unwrap_or_default();
     let (length, width, thickness) = (part.blank.length, part.blank.width, part.blank.thickness);
     let profile = say!(lang, "plan-plate", length = length, width = width, thickness = thickness);
-    let mass = part.mass_kg.map(|mass| Inlines::number(lang.figure(&exactly(mass, 1)))).unwrap_or_default();
+    let mass = blank_mass(own, lang)?;
     let unit = if mass.is_empty() { none() } else { Inlines::from("166") };
     let coolant = own.job.setups.iter().flat_map(|setup| &setup.works).any(|work| work.coolant);
     let first = vec![
@@ -101,11 +105,11 @@ fn strips(own: &Sources<'_>, lang: Lang) -> Vec<FormRow> {
         piece,
         lang.word(if coolant { "card-coolant-on" } else { "card-coolant-off" }).into(),
     ];
-    vec![names(lang, &FIRST), values(lang, &FIRST, first), names(lang, &SECOND), values(lang, &SECOND, second)]
+    Ok(vec![names(lang, &FIRST), values(lang, &FIRST, first), names(lang, &SECOND), values(lang, &SECOND, second)])
 }
 
-fn body(own: &Sources<'_>, lang: Lang) -> Vec<Line> {
-    let mut lines = Vec::new();
+fn body(own: &Sources<'_>, lang: Lang) -> Vec<Group> {
+    let mut groups = Vec::new();
     let steps = work_steps(own.plan);
     for (at, step) in (1..).zip(steps.iter().filter(|step| !matches!(step, WorkStep::Elsewhere { .. }))) {
         let what = format!("{at}. {}", told(own.plan, step, lang));
@@ -119,16 +123,17 @@ fn body(own: &Sources<'_>, lang: Lang) -> Vec<Line> {
                     .zip(tail)
                     .map(|((width, key), words)| FormCell::new(CellKind::Line, width, words).named(lang.word(key)))
                     .collect();
-                lines.extend(text("О", &what, &tail));
+                let mut lines = text("О", &what, &tail);
                 if let Some(tool) = tool_of(own.plan, transition) {
-                    lines.extend(text("Т", &equipment(own, tool, lang), &[]));
+                    lines.extend(tools_line(&equipment(own, tool, lang)));
                 }
                 lines.push(conditions(own, transition, lang));
+                groups.push(lines);
             }
-            _ => lines.extend(text("О", &what, &[])),
+            _ => groups.push(text("О", &what, &[])),
         }
     }
-    lines
+    groups
 }
 
 /// The line Р of a transition: the figures of the plan.
@@ -138,13 +143,18 @@ fn conditions(own: &Sources<'_>, transition: &Transition, lang: Lang) -> Line {
     let its = &transition.conditions;
     let mm = |value: crate::units::Micrometres| Inlines::number(lang.figure(&value.into_figure()));
     let figure = |value: f64, places: u32| Inlines::number(number(value, places, lang));
+    // The path of a mill is its rounds, which have no one length.
+    let (travel, passes) = match &its.rounds {
+        None => (figure(transition.travel_mm.to_mm(), 1), transition.passes),
+        Some(rounds) => (NONE.into(), transition.passes * rounds.levels * rounds.passes),
+    };
     let held = vec![
         Inlines::default(),
         Inlines::number(place.unwrap_or_default()),
         mm(transition.diameter_mm),
-        figure(transition.travel_mm.to_mm(), 1),
+        travel,
         figure(its.depth_of_cut_mm, 3),
-        Inlines::number(transition.passes.to_string()),
+        Inlines::number(passes.to_string()),
         figure(its.feed_mm_per_rev.0, 3),
         figure(its.spindle_rpm.0, 1),
         figure(its.speed_m_per_min.0, 1),

@@ -1,12 +1,13 @@
 //! The route card: form 1 of GOST 3.1118-82, following sheets by form 1б.
 
-use crate::document::{Document, Inlines};
+use crate::document::{Document, FormRow, Inlines};
+use crate::error::KnowledgeError;
 use crate::words::say;
 
 use super::super::super::sheet::route::{WorkStep, told as told_step, work_steps};
 use super::super::super::sheet::{exactly, material_of};
-use super::{Kind, Lang, Line, Sources, TitleBlock};
-use super::{empty, equipment, line, names, page, sheets, text, times, value, values};
+use super::{Group, Kind, Lang, Sources, TitleBlock};
+use super::{blank_mass, empty, equipment, line, names, page, sheets, text, times, tools_line, value, values};
 
 const KIND: Kind = Kind {
     marks: ["ГОСТ 3.1118-82  форма 1", "ГОСТ 3.1118-82  форма 1б"],
@@ -52,22 +53,22 @@ const B: [(u16, &str); 12] = [
 ];
 
 /// The card.
-pub(in super::super) fn card(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Document {
+pub(in super::super) fn card(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Result<Document, KnowledgeError> {
     let heads = [("А", &A[..]), ("Б", &B[..])].map(|(letter, columns)| {
         let mut row = names(lang, columns);
         row.cells.insert(0, super::name(5, letter));
         row
     });
-    let forms = sheets(&KIND, [material(own, lang), heads.to_vec()], body(own, title, lang), own, title, lang);
-    page("card-route-title", forms, own, &["card-standing", "card-route-legend", "card-by-hand"], lang)
+    let forms = sheets(&KIND, [material(own, lang)?, heads.to_vec()], body(own, title, lang), own, title, lang);
+    Ok(page("card-route-title", forms, own, &["card-standing", "card-route-legend", "card-by-hand"], lang))
 }
 
 /// The lines М01 and М02.
-fn material(own: &Sources<'_>, lang: Lang) -> Vec<crate::document::FormRow> {
+fn material(own: &Sources<'_>, lang: Lang) -> Result<Vec<FormRow>, KnowledgeError> {
     let part = &own.plan.part;
     let (length, width, thickness) = (part.blank.length, part.blank.width, part.blank.thickness);
     let profile = say!(lang, "plan-plate", length = length, width = width, thickness = thickness);
-    let mass = part.mass_kg.map(|mass| Inlines::number(lang.figure(&exactly(mass, 1)))).unwrap_or_default();
+    let mass = blank_mass(own, lang)?;
     let none = Inlines::default;
     let unit = if mass.is_empty() { none() } else { Inlines::from("166") };
     let first = vec![super::name(5, "М01"), value(105, material_of(own.plan, own.knowledge, lang)).named("М01")];
@@ -84,16 +85,16 @@ fn material(own: &Sources<'_>, lang: Lang) -> Vec<crate::document::FormRow> {
         Inlines::from("1"),
         mass,
     ];
-    vec![crate::document::FormRow { lines: 2, cells: first }, names(lang, &MATERIAL), values(lang, &MATERIAL, held)]
+    Ok(vec![FormRow { lines: 2, cells: first }, names(lang, &MATERIAL), values(lang, &MATERIAL, held)])
 }
 
-fn body(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Vec<Line> {
+fn body(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Vec<Group> {
     let plan = own.plan;
     let none = Inlines::default;
-    let mut lines = Vec::new();
+    let mut groups = Vec::new();
     let (number, name) = (lang.word("plan-operation-number"), lang.word("plan-operation-name"));
     let told = |text: &Option<String>| Inlines::from(text.clone().unwrap_or_default());
-    lines.push(line("А", lang, &A, vec![told(&title.shop), none(), none(), number.into(), name.into(), none()]));
+    let operation = line("А", lang, &A, vec![told(&title.shop), none(), none(), number.into(), name.into(), none()]);
     let [piece, preparatory] = times(own, lang);
     let lot = title.lot.map(|lot| Inlines::number(lot.to_string())).unwrap_or_default();
     let held = vec![
@@ -111,11 +112,11 @@ fn body(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Vec<Line> {
         preparatory,
         piece,
     ];
-    lines.push(line("Б", lang, &B, held));
+    groups.push(vec![operation, line("Б", lang, &B, held)]);
     let steps = work_steps(plan);
     let here = steps.iter().filter(|step| !matches!(step, WorkStep::Elsewhere { .. }));
     for (at, step) in (1..).zip(here) {
-        lines.extend(text("О", &format!("{at}. {}", told_step(plan, step, lang)), &[]));
+        groups.push(text("О", &format!("{at}. {}", told_step(plan, step, lang)), &[]));
     }
     let times = say!(
         lang,
@@ -125,10 +126,10 @@ fn body(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Vec<Line> {
         hand = exactly(plan.time.hand_min.0, 2),
         total = exactly(plan.time.total_min.0, 2)
     );
-    lines.extend(text("О", &times, &[]));
-    let tools = plan.tools.iter().map(|tool| equipment(own, tool, lang)).collect::<Vec<_>>().join("; ");
+    groups.push(text("О", &times, &[]));
+    let tools: Vec<String> = plan.tools.iter().flat_map(|tool| equipment(own, tool, lang)).collect();
     if !tools.is_empty() {
-        lines.extend(text("Т", &tools, &[]));
+        groups.push(tools_line(&tools));
     }
     let elsewhere: Vec<String> = steps
         .iter()
@@ -136,12 +137,11 @@ fn body(own: &Sources<'_>, title: &TitleBlock, lang: Lang) -> Vec<Line> {
         .map(|step| told_step(plan, step, lang))
         .collect();
     if !elsewhere.is_empty() {
-        lines.push(empty());
         let held = vec![none(), none(), none(), "010".into(), lang.word("card-elsewhere").into(), none()];
-        lines.push(line("А", lang, &A, held));
+        groups.push(vec![empty(), line("А", lang, &A, held)]);
         for (at, step) in (1..).zip(elsewhere) {
-            lines.extend(text("О", &format!("{at}. {step}"), &[]));
+            groups.push(text("О", &format!("{at}. {step}"), &[]));
         }
     }
-    lines
+    groups
 }
