@@ -11,7 +11,7 @@ use crate::note::{Figure, IntoFigure, Note, Severity};
 use crate::part::{Hole, Point};
 use crate::plan::{Operation, Plan, Transition};
 use crate::shop::Shop;
-use crate::tables::audit::StandardsAlike;
+use crate::tables::audit::{StandardsAlike, Threshold};
 use crate::tables::holders::HolderRow;
 use crate::tables::machines::MachineQuantity;
 use crate::tooling::named::NamedCutter;
@@ -22,9 +22,6 @@ use super::near::{Likeness, NameMatch, likeness, plain, same_table};
 use super::of_dimensions;
 use super::quantity::{Id, Quantity, Scope};
 use super::stated::{Row, Stated, Text, Tool};
-
-/// What goes beyond a narrow hole: overruns of 3 to 5 mm are usual whatever the diameter.
-const LEAST_OVERRUN: Micrometres = Micrometres::from_mm(6);
 
 /// The context of an audit.
 #[derive(Debug)]
@@ -151,7 +148,8 @@ impl<'a> Context<'a> {
     /// Whether a depth, mm, is that of a through hole with the point of the drill and what goes beyond it: as far again as the point, and no
     /// more than a diameter.
     pub fn is_overrun(&self, hole: &Hole, depth: f64) -> bool {
-        let (least, most) = (hole.depth, hole.depth + hole.diameter.nominal.max(LEAST_OVERRUN));
+        let beyond = Micrometres::from_mm_rounded(self.auditor.threshold(Threshold::OverrunLeast));
+        let (least, most) = (hole.depth, hole.depth + hole.diameter.nominal.max(beyond));
         (least..=most).contains(&Micrometres::from_mm_rounded(depth))
     }
 

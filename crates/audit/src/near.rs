@@ -52,6 +52,15 @@ impl<'n, T: Clone> Names<'n, T> {
         self.all.iter().map(|(value, ..)| value)
     }
 
+    /// The known names that differ in no more than a sign.
+    pub fn alike(&self, name: &str) -> impl Iterator<Item = &'n str> {
+        let wanted = plain(name);
+        self.all
+            .iter()
+            .filter(move |(_, _, other)| distance_within(&wanted, other, 1).is_some())
+            .map(|(_, known, _)| *known)
+    }
+
     /// Looks a name up among those for which `may_be` holds.
     pub fn find(&self, name: Option<&str>, may_be: impl Fn(&T) -> bool) -> NameMatch<T> {
         let Some(name) = name else { return NameMatch::Unstated };
@@ -175,24 +184,26 @@ pub fn away(a: &str, b: &str) -> usize {
     distance_within(&plain(a), &plain(b), usize::MAX - 1).unwrap_or(usize::MAX)
 }
 
-/// The edit distance of two names (Levenshtein), if at most `most`.
+/// The edit distance of two names, if at most `most`; two neighbours exchanged are one edit (Damerau's distance without repeats).
 fn distance_within(a: &[char], b: &[char], most: usize) -> Option<usize> {
     if a.len().abs_diff(b.len()) > most {
         return None;
     }
     let mut row: Vec<usize> = (0..=b.len()).collect();
+    let mut above: Vec<usize> = Vec::new();
     for (i, sign) in a.iter().enumerate() {
-        let mut corner = i;
+        let before = std::mem::replace(&mut above, row.clone());
         row[0] = i + 1;
-        let mut least = row[0];
         for (j, other) in b.iter().enumerate() {
-            let changed = corner + usize::from(sign != other);
-            corner = row[j + 1];
-            row[j + 1] = changed.min(row[j] + 1).min(corner + 1);
-            least = least.min(row[j + 1]);
+            let changed = above[j] + usize::from(sign != other);
+            let mut least = changed.min(row[j] + 1).min(above[j + 1] + 1);
+            if i > 0 && j > 0 && *sign == b[j - 1] && a[i - 1] == *other {
+                least = least.min(before[j - 1] + 1);
+            }
+            row[j + 1] = least;
         }
-        // No path through this row gets shorter.
-        if least > most {
+        // No path through these rows gets shorter.
+        if row.iter().chain(&above).min().is_none_or(|least| *least > most) {
             return None;
         }
     }
@@ -212,6 +223,8 @@ mod tests {
         assert_eq!(look("035 2300 1273"), NameMatch::Found(()));
         assert_eq!(look("2317-0103"), NameMatch::Meant((), "035-2317-0103".to_owned()));
         assert_eq!(look("035-2317-0109"), NameMatch::Unknown(Some("035-2317-0103".to_owned())));
+        assert_eq!((away("035-2300-1237", "035-2300-1273"), away("2305", "2350"), away("1237", "1723")), (1, 1, 2));
+        assert_eq!(names.alike("035-2317-0130").collect::<Vec<_>>(), ["035-2317-0103"]);
         assert_eq!(look("191113040"), NameMatch::Unknown(None));
     }
 

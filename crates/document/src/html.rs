@@ -144,8 +144,8 @@ fn named(under: &str) -> String {
 /// A table in a frame that scrolls; the frame can be focused by keyboard.
 fn table(page: &mut String, table: &Table, under: &str) {
     let longest = |column: usize| table.rows().iter().map(|row| row[column].plain().chars().count()).max();
-    // The last column may be off a narrow screen, where nobody sees why its rows are tall.
-    let last = table.columns().len().saturating_sub(1);
+    // The last column of words may be off a narrow screen, where nobody sees why its rows are tall; figures may stand behind it.
+    let last = table.columns().iter().rposition(|column| column.align == Align::Left).unwrap_or_default();
     let class = |(at, column): (usize, &Column)| match column.align {
         Align::Right => " class=\"number\"",
         Align::Left if at < last => "",

@@ -116,6 +116,12 @@ vocabulary! {
         AlikeWorks = "alike-works",
         /// In which share of the works an unusual figure may stand.
         AlikeShare = "alike-share",
+        /// How much deeper than the radius of its hole a spot may be, mm.
+        SpotOverRadius = "spot-over-radius",
+        /// How far a tool may go beyond a narrow hole, mm.
+        OverrunLeast = "overrun-least",
+        /// The widest hole of a program of which nothing is told, mm.
+        UntoldWidth = "untold-width",
     }
 
     /// What must be known of the part of a list of tools for a rule to judge it.

@@ -11,10 +11,12 @@
 mod against;
 mod alone;
 mod by_hand;
+mod edited;
 mod faults;
 mod folder;
 mod honest;
 mod marks;
+mod measured;
 mod mistakes;
 mod mutations;
 mod program;

@@ -91,7 +91,29 @@ pub(super) fn check<'a>(
             findings.push(with_right_value(finding, figure, hole.depth, Q::Depth));
         }
     }
+    travels(context, graph, findings);
     Ok(())
+}
+
+/// A tool is fed at least as far as its transition is deep; what comes before and behind it is a choice.
+fn travels(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFinding>) {
+    for (at, conditions) in context.stated.conditions.iter().enumerate().filter(|(_, own)| !own.rounds) {
+        let id = Id::new(Scope::Conditions(at), Q::Travel);
+        let is_slip = graph.verdict(id).is_some_and(|verdict| verdict.status != Status::Fine);
+        let Some(figure) = conditions.figures.get(&Q::Travel).filter(|_| !is_slip) else { continue };
+        let depths = conditions.rows.iter().filter_map(|row| {
+            let own = context.stated.rows.get(*row)?;
+            let simple = own.of_main_cylinder() && !own.operation.value.is_of_edge() && own.step.is_none();
+            let bores =
+                simple && !matches!(own.operation.value, Operation::CentreDrill | Operation::Mill | Operation::Tap);
+            graph.stated_or_right(Id::new(Scope::Row(*row), Q::Depth)).filter(|_| bores)
+        });
+        let Some(deepest) = depths.reduce(f64::max).filter(|depth| figure.value < *depth - 1e-6) else { continue };
+        let note = Note::new("audit-travel-short").with("depth", note::Figure::number(shown(deepest)));
+        let finding = AuditFinding::new(Severity::Wrong, Section::Conditions, context.field(id), note);
+        let finding = finding.about(context.subject(Scope::Conditions(at)));
+        findings.push(with_right_value(finding, figure, format!("> {}", shown(deepest)), Q::Travel));
+    }
 }
 
 /// How far the tip of a cutter comes out below a part with a blind hole, mm; none if it stays inside.

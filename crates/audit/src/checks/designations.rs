@@ -4,12 +4,13 @@ use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::note::{Because, Figure, Note, Severity};
 use crate::tables::audit::{PrintedNames, StandardsAlike};
+use crate::units::Micrometres;
 
 use super::super::context::Context;
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::near::{Likeness, NameMatch, away, likeness, plain, same_table};
-use super::super::quantity::Scope;
+use super::super::quantity::{Quantity as Q, Scope};
 use super::super::stated::Text;
 
 pub(super) fn check<'a>(
@@ -25,7 +26,8 @@ pub(super) fn check<'a>(
         let reported = Reported { section: Section::Tools, field: field("designation"), about: &about };
         // A number of no catalog, with the dimensions of one that differs in a sign or two: the number is misprinted.
         let proven = |known: &str| context.has_dimensions_of(at, known);
-        named(context, near, |cutter| cutter.row.row, tool.designation.as_ref(), &proven, &reported, findings)?;
+        let meant = |name: &str| context.auditor.cutters.alike(name).find(|known| proven(known)).map(str::to_owned);
+        named(context, near, |cutter| cutter.row.row, tool.designation.as_ref(), &meant, &reported, findings)?;
         if let Some(cutter) = context.cutter(at) {
             let row = cutter.row.row;
             let reported = ReportedRow { row, section: Section::Tools };
@@ -55,7 +57,13 @@ pub(super) fn check<'a>(
             continue;
         }
         let reported = Reported { section: Section::Holders, field: field("holder.designation"), about: &about };
-        named(context, near, |holder| holder.row, tool.holder.as_ref(), &|_| false, &reported, findings)?;
+        let length = tool.figures.get(&Q::HolderLength).map(|figure| Micrometres::from_mm_rounded(figure.value));
+        let of_length = |known: &&str| {
+            let mut holders = context.auditor.holders.values().filter(|holder| holder.designation == *known);
+            holders.any(|holder| Some(holder.length) == length)
+        };
+        let meant = |name: &str| context.auditor.holders.alike(name).find(of_length).map(str::to_owned);
+        named(context, near, |holder| holder.row, tool.holder.as_ref(), &meant, &reported, findings)?;
         if let Some(holder) = context.holder(at) {
             let reported = ReportedRow { row: holder.row, section: Section::Holders };
             let field = field("holder.standard");
@@ -78,14 +86,14 @@ struct Reported<'f> {
     about: &'f dyn Fn(AuditFinding) -> AuditFinding,
 }
 
-/// The finding about a designation. What no catalog has cannot be checked and is not wrong, unless it is `proven` that another one is
-/// meant; a lost prefix is no other tool.
+/// The finding about a designation. What no catalog has cannot be checked and is not wrong, unless its dimensions are those of another one,
+/// which is `meant`; a lost prefix is no other tool.
 fn named<'k, T>(
     context: &Context<'_>,
     near: &NameMatch<T>,
     row: impl Fn(&T) -> RowRef<'k>,
     name: Option<&Text>,
-    proven: &dyn Fn(&str) -> bool,
+    meant: &dyn Fn(&str) -> Option<String>,
     reported: &Reported<'_>,
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
@@ -105,17 +113,14 @@ fn named<'k, T>(
             finding(severity, note).with_values(&name.value, known).resting_on([because])
         }
         NameMatch::Unknown(Some(known)) => {
-            let code = match proven(known) {
-                true => "audit-designation-unknown",
-                false => "audit-designation-unchecked",
-            };
-            let severity = match (proven(known), away(&name.value, known)) {
-                (true, _) => Severity::Wrong,
+            let meant = meant(&name.value);
+            let (severity, code) = match (&meant, away(&name.value, known)) {
+                (Some(_), _) => (Severity::Wrong, "audit-designation-unknown"),
                 // One sign of another number may be misread, or a number of another catalog.
-                (false, 0 | 1) => Severity::Doubtful,
-                (false, _) => Severity::Note,
+                (None, 0 | 1) => (Severity::Doubtful, "audit-designation-unchecked"),
+                (None, _) => (Severity::Note, "audit-designation-unchecked"),
             };
-            finding(severity, Note::new(code).with("tool", &name.value).with("known", known))
+            finding(severity, Note::new(code).with("tool", &name.value).with("known", meant.as_ref().unwrap_or(known)))
         }
         NameMatch::Unknown(None) => {
             finding(Severity::Note, Note::new("audit-designation-alien").with("tool", &name.value))
@@ -154,8 +159,13 @@ fn standard(
     let found = match reported.row.table.standard.as_deref() {
         // There is nothing to compare it with.
         None => finding(Severity::Note, Note::new("audit-standard-unchecked").with("standard", &standard.value)),
+        // The standard of other tools is no misprint.
         Some(right) => match likeness(&standard.value, right) {
             Likeness::Same => return Ok(()),
+            Likeness::Misread if is_of_others(context, &standard.value) => {
+                let note = Note::new("audit-standard-other").with("standard", &standard.value).with("known", right);
+                finding(Severity::Wrong, note).with_values(&standard.value, right)
+            }
             Likeness::Misread if printed(context, &standard.value, right)? => {
                 let note = Note::new("audit-standard-printed").with("standard", &standard.value).with("known", right);
                 finding(Severity::Note, note).with_values(&standard.value, right)
@@ -173,6 +183,12 @@ fn standard(
     };
     findings.push(about(found.resting_on([because])));
     Ok(())
+}
+
+/// Whether a catalog of cutters goes by that standard.
+fn is_of_others(context: &Context<'_>, written: &str) -> bool {
+    let mut standards = context.auditor.cutters.values().filter_map(|cutter| cutter.row.row.table.standard.as_deref());
+    standards.any(|known| likeness(written, known) == Likeness::Same)
 }
 
 /// Dimensions that do not belong to the designation but all belong to another one: then the designation is wrong.

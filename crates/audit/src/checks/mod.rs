@@ -2,6 +2,7 @@
 
 mod allowances;
 mod clamps;
+mod consequences;
 mod cutters;
 mod depths;
 mod designations;
@@ -63,6 +64,7 @@ pub(super) fn all<'a>(
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
     CHECKS.iter().try_for_each(|check| check(context, graph, findings))?;
+    consequences::together(findings, context.shop.knowledge)?;
     roots::settle(findings);
     Ok(())
 }

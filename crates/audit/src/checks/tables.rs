@@ -7,7 +7,7 @@ use super::super::context::Context;
 use super::super::figures::{shown, with_right_value};
 use super::super::finding::AuditFinding;
 use super::super::graph::Graph;
-use super::super::rules::tabulated::judged;
+use super::super::rules::tabulated::{is_of_speed, judged};
 
 pub(super) fn check<'a>(
     context: &Context<'a>,
@@ -19,6 +19,9 @@ pub(super) fn check<'a>(
         return Ok(());
     }
     for (&id, &table) in graph.tables() {
+        if is_of_speed(context, id)? {
+            continue;
+        }
         let Some(figure) = context.stated.figure(id).filter(|_| graph.formula(id).is_none()) else { continue };
         let Some(own) = judged(context, id, figure.value, table)? else { continue };
         let finding = AuditFinding::new(own.severity, Context::section(id), context.field(id), own.note)

@@ -28,12 +28,12 @@ use crate::part::Part;
 use crate::plan::{CuttingMethod, Operation};
 use crate::program::seen::{SeenCut, cuts};
 use crate::program::{Language, Setting, Subject};
-use crate::tables::audit::PlanPart;
+use crate::tables::audit::{AuditThresholds, PlanPart, Threshold};
 use crate::units::Micrometres;
 
 use super::finding::Section;
 use super::quantity::Quantity as Q;
-use super::sheet::Unsaid;
+use super::sheet::{STAND_INS, Unsaid};
 use super::stated::{
     Alone, Author, Conditions, Figures, Program, Remark, Row, Stated, StatedFigure, StatedValue, Text, Tool,
 };
@@ -70,20 +70,26 @@ impl ProgramAlone<'_> {
     /// The knowledge has no answer. Inside: the program makes no holes that could be judged.
     pub fn read(&self, knowledge: &Knowledge) -> Result<Result<Stated, Diagnostic>, KnowledgeError> {
         let language = Language::read(self.control, knowledge)?;
-        let machine_id = self.part.map_or(part::MACHINE, |part| part.machine.as_str());
+        let machine_id = self.part.map_or(STAND_INS[1].1, |part| part.machine.as_str());
         let machine = Machine::find(knowledge, machine_id)?;
         let own = self.setting.and_then(|(name, text)| language.setting(name, text).ok());
         let (steps, has_feeds) = run(self.text, &language, &machine, own.as_ref());
         let seen = cuts(&steps, own.as_ref().map(|own| own.start).unwrap_or_default());
         let told = ToldTools::read(self.text, &steps, self.tools, self.control != "2c42-65", knowledge)?;
-        let of = self.part.cloned().or_else(|| part::made(self.file, &seen, &told, knowledge));
+        let length = |name| {
+            let row = knowledge.need("audit-thresholds", |row: &AuditThresholds| row.name == name)?;
+            Ok::<_, KnowledgeError>(Micrometres::from_mm_rounded(row.value))
+        };
+        let untold = length(Threshold::UntoldWidth)?;
+        let of = self.part.cloned().or_else(|| part::made(self.file, &seen, &told, untold, knowledge));
         let Some(of) = of else {
             let problem = Diagnostic::error("no-holes", note!("audit-program-no-holes"), self.place(1));
             return Ok(Err(problem.help(note!("audit-program-no-holes-help"))));
         };
         let shift = if self.part.is_some() { frame::shift(&seen, &of) } else { Position::default() };
         let (placed, elsewhere) = frame::placed(seen, &of, shift);
-        let mut stated = self.plan(of, placed, elsewhere, &told, shift, &steps);
+        let meant = operations::meant(&placed, &of, &told, shift, length(Threshold::SpotOverRadius)?);
+        let mut stated = self.plan(of, placed, &meant, elsewhere, &told, shift, &steps);
         if !has_feeds {
             for conditions in &mut stated.conditions {
                 conditions.figures.retain(|quantity, _| ![Q::Feed, Q::MinuteFeed].contains(quantity));
@@ -100,23 +106,23 @@ impl ProgramAlone<'_> {
         &self,
         part: Part,
         placed: Vec<Placed>,
+        meant: &[Option<Meant>],
         elsewhere: usize,
         told: &ToldTools,
         shift: Position,
         steps: &[MotionStep],
     ) -> Stated {
-        let meant = operations::meant(&placed, &part, told, shift);
         let (mut rows, mut conditions) = (Vec::new(), Vec::new());
         let mut untold: BTreeSet<u32> = BTreeSet::new();
         let mut derived: BTreeMap<u32, Operation> = BTreeMap::new();
         let mut known: BTreeSet<(String, usize, Operation)> = BTreeSet::new();
-        for (of, _) in placed.iter().zip(&meant).filter(|(_, meant)| meant.is_none()) {
+        for (of, _) in placed.iter().zip(meant).filter(|(_, meant)| meant.is_none()) {
             untold.insert(of.cut.tool);
         }
         // The rest of such a hole hangs on what is not known of it.
         let open: BTreeSet<&str> =
-            placed.iter().zip(&meant).filter(|(_, meant)| meant.is_none()).map(|(of, _)| of.hole.as_str()).collect();
-        for (of, meant) in placed.iter().zip(&meant).filter(|(of, _)| !open.contains(of.hole.as_str())) {
+            placed.iter().zip(meant).filter(|(_, meant)| meant.is_none()).map(|(of, _)| of.hole.as_str()).collect();
+        for (of, meant) in placed.iter().zip(meant).filter(|(of, _)| !open.contains(of.hole.as_str())) {
             let Some(Meant { operation, derived: is_derived }) = *meant else { continue };
             if is_derived {
                 derived.entry(of.cut.tool).or_insert(operation);
@@ -131,7 +137,8 @@ impl ProgramAlone<'_> {
             rows.push(row);
         }
         let numbers: BTreeSet<u32> = rows.iter().filter_map(|row: &Row| Some(row.tool.as_ref()?.value)).collect();
-        let tools: Vec<Tool> = numbers.iter().map(|number| self.tool(*number, told)).collect();
+        let called = called(steps);
+        let tools: Vec<Tool> = numbers.iter().map(|number| self.tool(*number, told, &called)).collect();
         let mut remarks = Vec::new();
         let graver =
             |severity, note| Remark { place: self.place(1), note, severity, section: Section::Missing, figure: None };
@@ -248,13 +255,16 @@ impl ProgramAlone<'_> {
         Conditions { place, rows: vec![at], is_limited: false, rounds: cut.mills, factors: BTreeMap::new(), figures }
     }
 
-    fn tool(&self, number: u32, told: &ToldTools) -> Tool {
+    fn tool(&self, number: u32, told: &ToldTools, called: &BTreeMap<u32, (u32, u32)>) -> Tool {
         let own = told.of(number);
         let place = self.place(own.map_or(1, |own| own.line));
         let text = |value: &Option<String>| value.clone().map(|value| Text { value, place: place.clone() });
         let mut figures = own.map(|own| own.figures.clone()).unwrap_or_default();
         if let Some(diameter) = own.and_then(|own| own.diameter) {
             figures.entry(Q::Diameter).or_insert_with(|| figure(diameter, &place));
+        }
+        if let Some((corrector, line)) = called.get(&number) {
+            figures.insert(Q::Corrector, figure(f64::from(*corrector), &self.place(*line)));
         }
         Tool {
             number,
@@ -322,6 +332,21 @@ fn run(text: &str, language: &Language, machine: &Machine<'_>, own: Option<&Sett
         }
     }
     (steps, has_feeds)
+}
+
+/// The register that each tool calls first, with its line.
+fn called(steps: &[MotionStep]) -> BTreeMap<u32, (u32, u32)> {
+    let (mut tool, mut found) = (0, BTreeMap::new());
+    for step in steps {
+        match step.motion {
+            Motion::ToolChange { tool: next } => tool = next,
+            Motion::LengthCorrection { corrector: Some(corrector), .. } if corrector > 0 => {
+                found.entry(tool).or_insert((corrector, step.block.line));
+            }
+            _ => {}
+        }
+    }
+    found
 }
 
 /// A setting of the registers that the program calls: what stands in them nobody knows, and nothing depends on it.

@@ -17,15 +17,39 @@ pub(super) struct Meant {
     pub derived: bool,
 }
 
-/// A spot goes no deeper than the radius of its hole or thread and the chamfer that it may break.
-const SPOT_MORE: Micrometres = Micrometres::from_mm(2);
+/// The finest grade that drills leave: А.9 of the textbook has core drills and bars for finer ones.
+const OF_DRILLS: u8 = 12;
 
 /// The transitions of the cuts, in their order; none where nothing sure is known.
-pub(super) fn meant(placed: &[Placed], part: &Part, told: &ToldTools, shift: Position) -> Vec<Option<Meant>> {
-    placed.iter().enumerate().map(|(at, _)| one(at, placed, part, told, shift)).collect()
+///
+/// A spot goes no deeper than the radius of its hole or thread and `chamfer`, which it may break.
+pub(super) fn meant(
+    placed: &[Placed],
+    part: &Part,
+    told: &ToldTools,
+    shift: Position,
+    chamfer: Micrometres,
+) -> Vec<Option<Meant>> {
+    let all = (0..placed.len()).map(|at| one(at, placed, part, told, shift, chamfer));
+    let mut all: Vec<Option<Meant>> = all.collect();
+    // What a tool is at one point of a group it is at all: where a later cut is forgotten, too.
+    for at in 0..placed.len() {
+        let same = |other: &Placed| (&other.hole, other.cut.section) == (&placed[at].hole, placed[at].cut.section);
+        if all[at].is_none() && !placed[at].cut.mills {
+            all[at] = placed.iter().zip(&all).find_map(|(other, meant)| meant.filter(|_| same(other)));
+        }
+    }
+    all
 }
 
-fn one(at: usize, placed: &[Placed], part: &Part, told: &ToldTools, shift: Position) -> Option<Meant> {
+fn one(
+    at: usize,
+    placed: &[Placed],
+    part: &Part,
+    told: &ToldTools,
+    shift: Position,
+    chamfer: Micrometres,
+) -> Option<Meant> {
     let own = placed.get(at)?;
     let here = |other: &&Placed| other.hole == own.hole && other.cut.at == own.cut.at;
     let of = |other: &Placed| told.of(other.cut.tool).and_then(|tool| tool.kind);
@@ -34,7 +58,7 @@ fn one(at: usize, placed: &[Placed], part: &Part, told: &ToldTools, shift: Posit
     let hole = part.holes.iter().find(|hole| hole.name == own.hole)?;
     let depth = part.datum.top - (own.cut.deepest + shift.z);
     let thread = hole.thread_at(None).map_or(Micrometres::ZERO, |thread| thread.size);
-    let most = hole.diameter.nominal.max(thread).half() + SPOT_MORE;
+    let most = hole.diameter.nominal.max(thread).half() + chamfer;
     let spot = |other: &Placed| match of(other) {
         Some(kind) => kind == ToolKind::Centring,
         None => part.datum.top - (other.cut.deepest + shift.z) <= most,
@@ -46,6 +70,8 @@ fn one(at: usize, placed: &[Placed], part: &Part, told: &ToldTools, shift: Posit
         // The list names it; a drill that widens is named so by its place.
         return Some(Meant { operation, derived: false });
     }
+    // What goes straight down and out again behind one drill, in a hole as drills leave it, is the second drill.
+    let coarse = hole.thread.is_none() && hole.diameter.it.number() >= OF_DRILLS;
     let Some(kind) = of(own) else {
         let operation = if own.cut.turned_round {
             Operation::Tap
@@ -59,6 +85,12 @@ fn one(at: usize, placed: &[Placed], part: &Part, told: &ToldTools, shift: Posit
             Operation::CentreDrill
         } else if !opened && !spot(own) {
             Operation::Drill
+        } else if coarse
+            && !spot(own)
+            && !own.cut.out_at_feed
+            && before.iter().filter(|other| !spot(other)).count() == 1
+        {
+            Operation::DrillOut
         } else {
             return None;
         };

@@ -7,17 +7,20 @@ use crate::part::{Part, read_part};
 use crate::program::seen::SeenCut;
 use crate::units::Micrometres;
 
+use super::super::sheet::STAND_INS;
 use super::told::ToldTools;
-
-/// The machine and the material of a made part: nothing that depends on them is judged.
-pub(super) const MACHINE: &str = "gf2171";
-const MATERIAL: &str = "steel-45";
-/// The widest hole of which nothing is told, mm.
-const UNTOLD: f64 = 10.0;
 
 /// A part of the holes of a program: points at which the same tools work are one group. None where the holes make no part: there is
 /// none, or too many.
-pub(super) fn made(file: &str, seen: &[SeenCut], told: &ToldTools, knowledge: &Knowledge) -> Option<Part> {
+///
+/// `untold` is the widest hole of which nothing is told.
+pub(super) fn made(
+    file: &str,
+    seen: &[SeenCut],
+    told: &ToldTools,
+    untold: Micrometres,
+    knowledge: &Knowledge,
+) -> Option<Part> {
     let mut tools: BTreeMap<[Micrometres; 2], (BTreeSet<usize>, Micrometres)> = BTreeMap::new();
     for cut in seen {
         let (sections, deepest) = tools.entry(cut.at).or_default();
@@ -40,7 +43,7 @@ pub(super) fn made(file: &str, seen: &[SeenCut], told: &ToldTools, knowledge: &K
     for (number, (sections, own)) in (1..).zip(&groups) {
         let of = seen.iter().filter(|cut| sections.contains(&cut.section));
         let size = of.filter_map(|cut| told.of(cut.tool)?.diameter).fold(0.0, f64::max);
-        let size = if size > 0.0 { size } else { UNTOLD }.min(nearest * 0.9);
+        let size = if size > 0.0 { size } else { untold.to_mm() }.min(nearest * 0.9);
         let deepest = own.iter().map(|(_, deepest)| deepest.to_mm()).fold(0.0, f64::min);
         let at: Vec<String> = own.iter().map(|([x, y], _)| format!("[{x}, {y}]")).collect();
         holes.push_str(&format!(
@@ -50,8 +53,9 @@ pub(super) fn made(file: &str, seen: &[SeenCut], told: &ToldTools, knowledge: &K
         ));
     }
     let deepest = tools.values().map(|(_, deepest)| -deepest.to_mm()).fold(10.0, f64::max);
+    let [(_, material), (_, machine)] = STAND_INS;
     let text = format!(
-        "part: {file:?}\nmaterial: {MATERIAL}\nmachine: {MACHINE}\nblank: {{kind: plate, length: {side}, width: {side}, \
+        "part: {file:?}\nmaterial: {material}\nmachine: {machine}\nblank: {{kind: plate, length: {side}, width: {side}, \
          thickness: {}}}\nholes:\n{holes}",
         libm::ceil(deepest + 20.0)
     );

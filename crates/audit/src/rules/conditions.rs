@@ -257,8 +257,8 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
             known.insert(Id::new(Scope::Row(*first), Q::Diameter), spot.diameter_mm.to_mm());
         }
         let is_known = context.stated.unsaid.is_none_or(|unsaid| !unsaid.material);
-        if context.stated.is_list && is_known && context.reference(*first).is_none() {
-            known.extend(list_feed(context, at)?.map(|feed| (Id::new(scope, Q::Feed), feed)));
+        if !context.stated.is_own && is_known && context.reference(*first).is_none() {
+            known.extend(feed_of_size(context, at)?.map(|feed| (Id::new(scope, Q::Feed), feed)));
         }
         let Some(reference) = context.reference(*first) else { continue };
         let own = &reference.conditions;
@@ -279,9 +279,9 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
     Ok(known)
 }
 
-/// The feed of the table, mm/rev, of a drill in a list of tools. A list does not say how well its hole is to be: where a reamer follows, and
-/// for other tools, the feed depends on that.
-fn list_feed(context: &Context<'_>, at: usize) -> Result<Option<f64>, KnowledgeError> {
+/// The feed of the table, mm/rev, of a drill that our own plan does not have. How well its hole is to be nobody says then: where a reamer
+/// follows, and for other tools, the feed depends on that.
+fn feed_of_size(context: &Context<'_>, at: usize) -> Result<Option<f64>, KnowledgeError> {
     let stated = context.stated;
     let first = stated.conditions.get(at).and_then(|own| own.rows.first().copied());
     let Some((first, row)) = first.and_then(|first| Some((first, stated.rows.get(first)?))) else { return Ok(None) };

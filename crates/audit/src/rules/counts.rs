@@ -10,6 +10,7 @@ use super::super::backed::backed;
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::stated::Row;
 use super::{equal_figures, fixed_figure, formula, largest, marks};
 
 const COUNT: Rule = Rule { id: "holes-of-group", formula: "z" };
@@ -46,6 +47,15 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             graph.add(equal_figures(&DIAMETER, Id::new(scope, Q::Diameter), Id::new(Scope::Tool(tool), Q::Diameter)));
         }
         if !row.opens_main_cylinder() {
+            // A counterbore widens what is there, as far as it goes.
+            let widens = |own: &Row| own.opens_main_cylinder() || own.operation.value == Operation::Counterbore;
+            let before = stated.rows_of_hole(&hole.name).take_while(|(other, _)| *other < at);
+            if let Some((before, _)) = before.filter(|(_, own)| widens(own)).last()
+                && row.operation.value == Operation::Counterbore
+            {
+                let own = Id::new(Scope::Row(before), Q::Diameter);
+                graph.add(equal_figures(&FROM, Id::new(scope, Q::From), own));
+            }
             continue;
         }
         let before = stated.rows_of_hole(&hole.name).take_while(|(other, _)| *other < at);

@@ -54,6 +54,9 @@ pub(in super::super) fn far_off<'a>(
     let mut found = Vec::new();
     // In a plan of the program every figure is compared with the new plan.
     for (&id, &table) in graph.tables().iter().filter(|_| !context.stated.is_own) {
+        if is_of_speed(context, id)? {
+            continue;
+        }
         let Some(figure) = context.stated.figure(id).filter(|_| graph.formula(id).is_none()) else { continue };
         let Some(own) = judged(context, id, figure.value, table)?.filter(|own| own.severity <= Severity::Wrong) else {
             continue;
@@ -66,6 +69,25 @@ pub(in super::super) fn far_off<'a>(
     Ok(found)
 }
 
+/// A spindle speed of a program that is the slip where its feed per turn looks like one: the feed per minute is that of our plan, and the
+/// speed is farther from it. How grave the feed per turn makes it, and our speed, 1/min.
+pub(crate) fn slip_of_speed(context: &Context<'_>, at: usize) -> Result<Option<(Severity, f64)>, KnowledgeError> {
+    let id = |quantity| Id::new(Scope::Conditions(at), quantity);
+    let figure = |quantity| context.stated.figure(id(quantity)).map(|figure| figure.value);
+    let conditions = context.stated.conditions.get(at).filter(|own| context.stated.is_of_program() && !own.rounds);
+    let ours = conditions.and_then(|own| context.reference(*own.rows.first()?));
+    let figures = figure(Q::Rpm).zip(figure(Q::MinuteFeed));
+    let Some((ours, (rpm, minute))) = ours.filter(|ours| ours.operation != Operation::Tap).zip(figures) else {
+        return Ok(None);
+    };
+    let (own, table) = (&ours.conditions, ours.conditions.feed_mm_per_rev.0);
+    let Some(off) = judged(context, id(Q::Feed), minute / rpm, table)? else { return Ok(None) };
+    let as_meant = judged(context, id(Q::Feed), minute / own.spindle_rpm.0, table)?;
+    let away = |value: f64, ours: f64| libm::log(value / ours).abs();
+    let farther = away(rpm, own.spindle_rpm.0) > away(minute, own.feed_mm_per_min.0);
+    Ok((as_meant.is_none() && farther).then_some((off.severity, own.spindle_rpm.0)))
+}
+
 /// The feed of conditions as it was meant: as stated, or that of the table where the stated one is wrong by it.
 pub(super) fn feed(context: &Context<'_>, at: usize) -> Result<Option<f64>, KnowledgeError> {
     let conditions = &context.stated.conditions[at];
@@ -75,6 +97,14 @@ pub(super) fn feed(context: &Context<'_>, at: usize) -> Result<Option<f64>, Know
     let Some(table) = reference.map(|own| own.conditions.feed_mm_per_rev.0) else { return Ok(Some(figure.value)) };
     let wrong = judged(context, id, figure.value, table)?.is_some_and(|own| own.severity <= Severity::Wrong);
     Ok(Some(if wrong { table } else { figure.value }))
+}
+
+/// Whether a feed per turn is off because the spindle speed is.
+pub(crate) fn is_of_speed(context: &Context<'_>, id: Id) -> Result<bool, KnowledgeError> {
+    match id {
+        Id { scope: Scope::Conditions(at), quantity: Q::Feed, .. } => Ok(slip_of_speed(context, at)?.is_some()),
+        _ => Ok(false),
+    }
 }
 
 /// The quantity as the rule names it; none if the rule does not judge it.

@@ -14,10 +14,7 @@ use technolog_core::words::operation_named;
 use super::cells::{self, hole, of_size, size};
 use super::columns::{Column, Of};
 use super::sections::{Cells, Kind, Section, line, lines, nested, table};
-use super::{Book, Tabled, Unsaid, entry, list_of, map, scalar};
-
-/// The material and the machine of a made part where the list names none: nothing that depends on them is judged.
-const STAND_INS: [(&str, &str); 2] = [("material", "steel-45"), ("machine", "gf2171")];
+use super::{Book, STAND_INS, Tabled, Unsaid, entry, list_of, map, scalar};
 
 /// A row of the list, taken apart.
 struct Entry {
@@ -272,7 +269,9 @@ impl Holes<'_> {
 
     fn make(&mut self, name: Option<&str>, diameter: Option<f64>, depth: Option<f64>) {
         let Some(name) = name else { return };
-        let said = cells::diameter(name);
+        // A bare number beside a diameter numbers the hole.
+        let is_number = name.bytes().all(|sign| sign.is_ascii_digit());
+        let said = cells::diameter(name).filter(|_| diameter.is_none() || !is_number);
         let size_of = |text: &str| cells::size(text).unwrap_or_default();
         match self.made.iter_mut().find(|(known, ..)| known == name) {
             Some((_, own, deepest)) => {

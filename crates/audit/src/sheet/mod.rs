@@ -20,6 +20,9 @@ use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Key, Node, NodeKind, Problems};
 use crate::part::Part;
 
+/// The material and the machine of a made part where nothing names them: nothing that depends on them is judged.
+pub(crate) const STAND_INS: [(&str, &str); 2] = [("material", "steel-45"), ("machine", "gf2171")];
+
 /// What a list of tools without a part leaves unsaid of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Unsaid {

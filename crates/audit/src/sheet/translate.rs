@@ -1,9 +1,11 @@
 //! Keys of a plan by hand in another language: `маршрут`, `перехід`, `подача`. They are renamed where they stand, so that every other
 //! reader knows one set of keys.
 
-use crate::knowledge::yaml::{Node, NodeKind};
+use crate::knowledge::diagnostic::Place;
+use crate::knowledge::yaml::{Key, Node, NodeKind};
 
 use super::columns::{Column, Of};
+use super::{entry, map};
 
 /// The tree of a plan with the keys of the format. Keys of the format itself are left as they are.
 pub(crate) fn keys(root: &mut Node) {
@@ -11,8 +13,10 @@ pub(crate) fn keys(root: &mut Node) {
 }
 
 fn rename(node: &mut Node, of: Of) {
+    let place = node.place.clone();
     let NodeKind::Map(entries) = &mut node.kind else { return };
     let columns = of.columns();
+    gather(entries, of, &columns, &place);
     for (key, value) in entries {
         if !key.text.is_ascii() {
             let called: Vec<&Column> = columns.iter().filter(|column| is_called(**column, &key.text)).collect();
@@ -34,6 +38,25 @@ fn rename(node: &mut Node, of: Of) {
             (Of::Conditions, "factors") => rename(value, Of::Factors),
             _ => {}
         }
+    }
+}
+
+/// Keys of a holder or a card that stand in the mapping around it, as the columns of a table do, go into one of their own.
+fn gather(entries: &mut Vec<(Key, Node)>, of: Of, columns: &[Column], place: &Place) {
+    let (inner, name) = match of {
+        Of::Tool => (Of::Holder, "holder"),
+        Of::Conditions => (Of::Card, "card"),
+        _ => return,
+    };
+    let inner = inner.columns();
+    let is_inner = |key: &Key| {
+        let called = |columns: &[Column]| columns.iter().any(|column| column.is_called(&key.text, true));
+        !key.text.is_ascii() && !called(columns) && called(&inner)
+    };
+    if entries.iter().any(|(key, _)| is_inner(key)) && !entries.iter().any(|(key, _)| key.text == name) {
+        let (own, rest) = std::mem::take(entries).into_iter().partition(|(key, _)| is_inner(key));
+        *entries = rest;
+        entries.push(entry(name, map(own, place)));
     }
 }
 

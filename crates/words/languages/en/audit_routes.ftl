@@ -12,6 +12,7 @@ audit-opening-depth = by the drawing: { $feature }
 # Depths.
 audit-depth-of-hole = the hole { $hole } of the drawing is not of that depth
 audit-spot-depth = the depth of the spot is t = (D/2)/tan φ by the angle of the centring drill
+audit-travel-short = the tool is fed less far than the transition is deep, { $depth } mm, and approach and overrun come on top
 audit-breaks-through = the tip of the tool is at { $end } mm, but the part is { $thickness } mm thick: the blind hole goes through
 # Threads.
 audit-tap-drill = the hole under { $thread } is { $low } to { $high } mm

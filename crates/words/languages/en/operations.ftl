@@ -1,6 +1,7 @@
 # Operations: the noun; `.verb` is the instruction, as a route card says it, `.also` what else people call it.
 operation-centre-drill = centring
     .verb = Centre
+    .also = centre drilling; center drilling; centering; spot drilling; spotting; spot drill
 operation-drill = drilling
     .verb = Drill
 operation-drill-out = drilling out

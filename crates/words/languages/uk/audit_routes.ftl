@@ -12,6 +12,7 @@ audit-opening-depth = за кресленням: { $feature }
 # Depths.
 audit-depth-of-hole = отвір { $hole } креслення такої глибини не має
 audit-spot-depth = глибина центрувального заглиблення t = (D/2)/tg φ за кутом центрувального свердла
+audit-travel-short = довжина робочого ходу менша за глибину переходу, { $depth } мм, а до неї додаються ще врізання й перебіг
 audit-breaks-through = вершина інструмента на { $end } мм, а деталь завтовшки { $thickness } мм: глухий отвір стане наскрізним
 # Threads.
 audit-tap-drill = отвір під { $thread } від { $low } до { $high } мм

@@ -1,6 +1,7 @@
 # Operations: the noun; `.verb` is the instruction, as a route card says it, `.also` what else people call it.
 operation-centre-drill = центрування
     .verb = Центрувати
+    .also = зацентрувати; засвердлити; засвердлювання
 operation-drill = свердління
     .verb = Свердлити
 operation-drill-out = розсвердлювання

@@ -6,11 +6,13 @@ use technolog_note::note;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::note::Severity;
 use crate::program::proof::{self, Code, DeviationFigure, Name};
 use crate::program::{Fault, Subject};
 use crate::tables::audit::ProgramCauses;
 
 use super::super::super::finding::AuditFinding;
+use super::super::consequences::is_of_plans;
 
 /// A finding about a program, with the facts by which its cause is found.
 #[derive(Debug)]
@@ -23,7 +25,7 @@ pub(super) struct FindingFacts {
     /// The function that the fault concerns.
     function: Option<String>,
     /// Whether the control stops at this fault.
-    broken: bool,
+    pub broken: bool,
 }
 
 /// Which check found it, and what.
@@ -90,7 +92,9 @@ impl FindingFacts {
             Some(Subject::Function(name)) => function = Some(name.clone()),
             None => {}
         }
-        Self { finding, who: FindingOrigin::Control(fault.code), tool, figures, function, broken: fault.is_error() }
+        // What is doubtful of another machine stops nothing.
+        let broken = fault.is_error() && finding.severity == Severity::Error;
+        Self { finding, who: FindingOrigin::Control(fault.code), tool, figures, function, broken }
     }
 
     fn is(&self, who: FindingOrigin<'_>) -> bool {
@@ -152,7 +156,8 @@ impl<'k> Rule<'k> {
 /// The table cannot be read.
 pub(super) fn together(seen: Vec<FindingFacts>, knowledge: &Knowledge) -> Result<Vec<AuditFinding>, KnowledgeError> {
     let rows = knowledge.rows::<ProgramCauses<'_>>()?;
-    let rules: Vec<Rule<'_>> = rows.iter().map(Rule::of).collect::<Result<_, _>>()?;
+    let of_programs = rows.iter().filter(|row| !is_of_plans(row));
+    let rules: Vec<Rule<'_>> = of_programs.map(Rule::of).collect::<Result<_, _>>()?;
     let causes: Vec<Option<usize>> = (0..seen.len()).map(|at| cause(at, &seen, &rules)).collect();
     // The fields that the cause follows from, or else the cause itself.
     let fields: Vec<Vec<String>> = seen
@@ -163,12 +168,13 @@ pub(super) fn together(seen: Vec<FindingFacts>, knowledge: &Knowledge) -> Result
         })
         .collect();
     let mut found: Vec<AuditFinding> = seen.into_iter().map(|facts| facts.finding).collect();
-    for (at, finding) in found.iter_mut().enumerate() {
-        if let Some(fields) = root(at, &causes).and_then(|root| fields.get(root))
-            && finding.follows_from.is_empty()
-        {
-            finding.follows_from.clone_from(fields);
+    for at in 0..found.len() {
+        let Some(root) = root(at, &causes).filter(|_| found[at].follows_from.is_empty()) else { continue };
+        if let Some(fields) = fields.get(root) {
+            found[at].follows_from.clone_from(fields);
         }
+        // A cut at a wrong place may be something else; with the hole that is missing instead it is as grave as that.
+        found[root].severity = found[root].severity.min(found[at].severity);
     }
     Ok(found)
 }

@@ -5,11 +5,13 @@ use std::sync::Arc;
 use crate::error::KnowledgeError;
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::{Node, parse};
+use crate::motion::{BlockRef, Motion, MotionStep};
 use crate::note::{Note, Severity};
 use crate::plan::{Operation, Plan, Transition};
 use crate::program::Setting;
 use crate::program::proof::{self, Code, Name};
 use crate::tables::audit::{ProgramAloneCaps, ProgramTolerance};
+use crate::units::Micrometres;
 
 use super::super::super::context::Context;
 use super::super::super::finding::{AuditFinding, Section};
@@ -58,16 +60,28 @@ pub(super) fn setting(
 }
 
 /// How grave findings about a program may be: of one without a plan the table `audit-program-alone` says it.
-pub(super) struct Caps<'k>(Vec<ProgramAloneCaps<'k>>);
+pub(super) struct Caps<'k> {
+    rows: Vec<ProgramAloneCaps<'k>>,
+    /// The tool changes after the first, with the height at which they happen: where the program begins nobody knows.
+    changes: Vec<(BlockRef, Micrometres)>,
+}
 
 impl<'k> Caps<'k> {
     /// Those of a plan.
     ///
     /// # Errors
     /// The table cannot be read.
-    pub fn read(context: &Context<'k>) -> Result<Self, KnowledgeError> {
+    pub fn read(context: &Context<'k>, steps: &[MotionStep]) -> Result<Self, KnowledgeError> {
         let rows = context.stated.is_of_program().then(|| context.shop.knowledge.rows());
-        Ok(Self(rows.transpose()?.unwrap_or_default()))
+        let changes = steps.iter().filter(|step| matches!(step.motion, Motion::ToolChange { .. })).skip(1);
+        let changes = changes.map(|step| (step.block, step.at.z)).collect();
+        Ok(Self { rows: rows.transpose()?.unwrap_or_default(), changes })
+    }
+
+    /// Whether a tool is changed lower than another of the same program: then the way to the place of the change is left out.
+    fn is_low(&self, block: Option<BlockRef>) -> bool {
+        let own = self.changes.iter().find(|(own, _)| Some(*own) == block).map(|(_, height)| *height);
+        own.is_some_and(|own| self.changes.iter().any(|(_, other)| *other > own))
     }
 
     /// The severity of a finding: the gravest stand first in their order.
@@ -77,7 +91,7 @@ impl<'k> Caps<'k> {
 
     /// The same of a figure that is so many times ours.
     fn of_share(&self, code: &str, severity: Severity, times: Option<f64>) -> Severity {
-        let cap = self.0.iter().find(|row| row.finding == code);
+        let cap = self.rows.iter().find(|row| row.finding == code);
         let holds = |row: &&ProgramAloneCaps<'_>| row.up_to.zip(times).is_none_or(|(most, times)| times <= most);
         cap.filter(holds).map_or(severity, |row| severity.max(row.severity))
     }
@@ -155,7 +169,10 @@ pub(super) fn deviation(
             Deeper::No => {
                 let made = deviation.length(Name::Made).zip(deviation.length(Name::Needed));
                 let times = made.map(|(made, needed)| made.to_mm() / needed.to_mm());
-                caps.of_share(deviation.code.name(), severity, times)
+                match deviation.code {
+                    Code::ChangesElsewhere if caps.is_low(deviation.block) => Severity::Doubtful,
+                    code => caps.of_share(code.name(), severity, times),
+                }
             }
         };
         // Notes compare heights and ways with ours, and others are as good.

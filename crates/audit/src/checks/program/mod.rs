@@ -20,6 +20,7 @@ use crate::plan::{HolePlan, Operation, Plan};
 use crate::program::proof::{self, Code, ProofInput, Tolerated, prove};
 use crate::program::setting::Before;
 use crate::program::{Fault, Setting, is_run, path};
+use crate::tables::audit::{AuditNeeds, Need};
 use crate::units::Micrometres;
 
 use super::super::auditor::SimulatedProgram;
@@ -33,9 +34,6 @@ use stated_plan::{NotComparable, Reading, comparable_plan, unordered};
 
 /// The travel of a quill of which nobody knows where it stands: no program goes beyond it.
 const UNKNOWN_REACH: Micrometres = Micrometres::from_mm(20_000);
-
-/// What a control finds that another machine may do.
-const OF_MACHINE: [&str; 4] = ["speed-beyond-machine", "no-spindle-step", "beyond-travel-of", "span-beyond-travel"];
 
 /// The transitions of every hole as a plan states them; none if it does not say enough.
 ///
@@ -81,10 +79,12 @@ pub(super) fn check<'a>(
     // What a program tells of offsets and dwells by itself the proof says better, by the plan.
     let compared = as_stated.is_ok();
     let faults = run.faults.iter().filter(|fault| !(compared && fault.of_program_alone));
-    let caps = judged::Caps::read(context)?;
+    let caps = judged::Caps::read(context, &run.steps)?;
     // What the control remarks besides, `technolog check` says.
     let alone = context.stated.is_of_program();
-    let faults = faults.filter(|fault| !(unknown && OF_MACHINE.contains(&fault.code)));
+    let needs = context.shop.knowledge.rows::<AuditNeeds<'_>>()?;
+    let of_machine = |code: &str| needs.iter().any(|row| row.rule == code && row.needs == Need::Machine);
+    let faults = faults.filter(|fault| !(unknown && of_machine(fault.code)));
     let faults = faults.filter(|fault| !alone || caps.of(fault.code, fault.severity) < Severity::Note);
     let mut seen: Vec<FindingFacts> = faults.map(|fault| of_fault(fault, &caps, &run.steps, &file)).collect();
     let missing = |NotComparable { note, place }: NotComparable| {
@@ -115,6 +115,14 @@ pub(super) fn check<'a>(
             findings.push(finding.at(&program.file.place));
         }
         (Ok(_), None) => {}
+    }
+    // What a control does not carry out makes no transition.
+    if let Some(broken) = seen.iter().find(|facts| facts.broken).filter(|_| alone) {
+        let field = broken.finding.field.clone();
+        let of_route = |one: &&mut AuditFinding| one.section == Section::Route && one.severity < Severity::Note;
+        for finding in findings.iter_mut().filter(of_route).filter(|one| one.follows_from.is_empty()) {
+            finding.follows_from.push(field.clone());
+        }
     }
     findings.extend(causes::together(seen, context.shop.knowledge)?);
     Ok(())
@@ -179,8 +187,13 @@ fn proven(
         own_correctors,
     };
     let mut findings = prove(&run.steps, &input).findings;
-    // A plan as stated says nothing of coolant, and holds the part by clamps of its own, not by those that we would propose.
+    // A plan as stated says nothing of coolant, and holds the part by clamps of its own, not by those that we would propose. Of a program
+    // alone its coolant is asked for as our own plan has it.
+    let alone = program.alone.is_some();
     findings.retain(|finding| match finding.code {
+        Code::CoolantMissing if alone => true,
+        // A program that calls no register has its lengths set otherwise, as where tools are changed by hand.
+        Code::NoCorrector | Code::NoCorrection if alone => !own_correctors,
         Code::CoolantMissing | Code::CoolantSuperfluous | Code::CoolantAtChange | Code::CoolantAtEnd => false,
         Code::ThroughObstacle | Code::HolderThroughObstacle | Code::HolderUnknown => {
             finding.severity < Severity::Doubtful

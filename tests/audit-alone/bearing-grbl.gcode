@@ -1,0 +1,26 @@
+; bearing, spot then drill, tools changed by hand
+G21 G17 G90 G94
+G54
+T1 M0 ; spot drill 10 mm
+S1000 M3
+G0 Z20
+G0 X-50 Y0
+G0 Z3
+G1 Z-3 F100
+G0 Z3
+G0 X50 Y0
+G1 Z-3 F100
+G0 Z20
+M5
+T2 M0 ; drill 10 mm
+S800 M3
+G0 Z20
+G0 X-50 Y0
+G0 Z3
+G1 Z-34 F160
+G0 Z3
+G0 X50 Y0
+G1 Z-34 F160
+G0 Z20
+M5
+M30
