@@ -119,6 +119,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             })?
         }
     };
+    setting.assumed.machine = assumed.is_some();
     if let Some(planned) = &mut planned {
         planned.set(&mut setting);
     }

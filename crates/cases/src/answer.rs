@@ -59,6 +59,7 @@ fn checked(program: &Program, knowledge: &Knowledge) -> Result<Value, KnowledgeE
     };
     let of_part = planned.as_ref().map(|planned| planned.plan.part.machine.as_str());
     let id = program.machine.as_deref().or(of_part).or_else(|| program.language.own_machine());
+    setting.assumed.machine = program.machine.as_deref().or(of_part).is_none() && id.is_some();
     let machine = id.map(|id| Machine::find(knowledge, id)).transpose()?;
     let mut sink = (Vec::<MotionStep>::new(), Clock::new(machine.as_ref(), setting.start));
     let faults = program.language.check(&program.text, machine.as_ref(), &setting, &mut sink);

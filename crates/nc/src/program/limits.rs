@@ -5,10 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::machine::Machine;
 use crate::motion::{Axis, Position};
 use crate::note::Note;
+use crate::program::setting::Assumed;
 use crate::units::Micrometres;
 
 /// The function of the coordinate system of an axis, if its zero is not set. Positions in it are consistent, but
-/// unknown on the machine.
+/// unknown on the machine; or the zero is assumed, and so is the position.
 pub(super) type Floating = Option<u8>;
 
 /// The range of the axes in each system without a zero, least and greatest.
@@ -17,6 +18,26 @@ pub(super) type Spans = BTreeMap<(u8, usize), (Micrometres, Micrometres)>;
 /// The range of each axis in a motion, least and greatest.
 pub(super) type AxisRanges = [(Micrometres, Micrometres); 3];
 
+/// What is told in place of a limit that nobody has stated.
+pub(super) const NOT_CHECKED: &str = "limit-not-checked";
+
+/// What is told once, without costing a block, in place of a limit of a machine that nobody has named.
+pub(super) fn not_checked(what: &'static str) -> Note {
+    Note::new(NOT_CHECKED).with("what", what.to_owned()).with("why", "machine".to_owned())
+}
+
+/// Which limit of the machine a rule holds a program to, if any.
+pub(super) fn of_machine(code: &str) -> Option<&'static str> {
+    Some(match code {
+        "feed-beyond-machine" => "feed",
+        "speed-beyond-machine" | "no-spindle-step" => "speed",
+        "cannot-tap" => "tap",
+        "tool-beyond-magazine" => "magazine",
+        "beyond-travel-of" | "span-beyond-travel" => "travel",
+        _ => return None,
+    })
+}
+
 /// The part of a motion outside the travels. If the zero of an axis is set, its machine position is known; otherwise the required
 /// length of travel is. Without a machine nothing is beyond, and only what each system needs is noted.
 pub(super) fn beyond_travel(
@@ -24,7 +45,7 @@ pub(super) fn beyond_travel(
     reached: AxisRanges,
     from: Position,
     floating: [Floating; 3],
-    spans: &mut Spans,
+    (spans, assumed): (&mut Spans, Assumed),
 ) -> Vec<(&'static str, Note)> {
     let mut notes = Vec::new();
     for axis in Axis::ALL {
@@ -49,6 +70,10 @@ pub(super) fn beyond_travel(
                 *entry = (entry.0.min(low), entry.1.max(high));
                 let Some((least, most)) = range else { continue };
                 let (needed, travel) = (entry.1 - entry.0, most - least);
+                if assumed.zeros[axis.index()] && needed <= travel && (low < least || high > most) {
+                    let note = Note::new(NOT_CHECKED).with("what", axis.letter().to_string());
+                    notes.push((NOT_CHECKED, note.with("why", "zero".to_owned())));
+                }
                 if needed > travel {
                     let code = "span-beyond-travel";
                     let note = Note::new(code).with("axis", axis.letter()).with("system", system_name(system));
@@ -61,10 +86,12 @@ pub(super) fn beyond_travel(
 }
 
 /// The systems without a zero that a run has used, each with its axes, for the note `zero-not-set`.
-pub(super) fn without_zero(spans: &Spans) -> Vec<(String, String)> {
-    let systems: BTreeSet<u8> = spans.keys().map(|(system, _)| *system).collect();
+pub(super) fn without_zero(spans: &Spans, assumed: Assumed) -> Vec<(String, String)> {
+    let unknown = |axis: usize| !assumed.zeros.get(axis).is_some_and(|assumed| *assumed);
+    let systems: BTreeSet<u8> = spans.keys().filter(|(_, axis)| unknown(*axis)).map(|(system, _)| *system).collect();
     let axes = |system: u8| -> Vec<String> {
-        let used = Axis::ALL.into_iter().filter(|axis| spans.contains_key(&(system, axis.index())));
+        let used = Axis::ALL.into_iter();
+        let used = used.filter(|axis| unknown(axis.index()) && spans.contains_key(&(system, axis.index())));
         used.map(|axis| axis.letter().to_string()).collect()
     };
     systems.into_iter().map(|system| (system_name(system), axes(system).join(", "))).collect()

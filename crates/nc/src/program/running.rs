@@ -4,7 +4,8 @@
 use std::collections::BTreeSet;
 
 use super::alone::{Habits, Watch};
-use super::limits::{Spans, without_zero};
+use super::limits::{NOT_CHECKED, Spans, without_zero};
+use super::setting::Assumed;
 use super::{Call, Fault, TextSpan, stay};
 use crate::motion::{MotionStep, Sink};
 
@@ -96,6 +97,10 @@ impl<'a, S: Sink> Running<'a, S> {
 
     /// Reports a fault once for each word and rule, with the calls that led there.
     pub fn report(&mut self, mut fault: Fault) {
+        // What is not checked is said once.
+        if fault.code == NOT_CHECKED && self.faults.iter().any(|known| known.note == fault.note) {
+            return;
+        }
         if self.reported.insert((fault.span.line, fault.span.column, fault.code)) {
             fault.calls.clone_from(&self.calls);
             self.faults.push(fault);
@@ -104,8 +109,8 @@ impl<'a, S: Sink> Running<'a, S> {
 
     /// The faults found, at the end: systems without a zero are reported at the first block. A run with an error has left
     /// out what that block says, so nothing more is told of it.
-    pub fn finish(mut self, first: TextSpan) -> Vec<Fault> {
-        for (system, axes) in without_zero(&self.spans) {
+    pub fn finish(mut self, first: TextSpan, assumed: Assumed) -> Vec<Fault> {
+        for (system, axes) in without_zero(&self.spans, assumed) {
             self.report((self.breach)("zero-not-set", first, None).with("system", system).with("axes", axes));
         }
         if self.faults.iter().any(Fault::is_error) {

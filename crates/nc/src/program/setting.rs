@@ -75,6 +75,17 @@ pub struct Setting {
     pub decimal: Option<DecimalInput>,
     /// What is known of the control when the program begins.
     pub before: Before,
+    /// What nobody has stated.
+    pub assumed: Assumed,
+}
+
+/// What nobody has stated, so that something else stands for it: no program is held to a limit that rests on it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Assumed {
+    /// The machine: that of the control's description.
+    pub machine: bool,
+    /// The zero along an axis, or along Z the lengths of the tools: those of the plan.
+    pub zeros: [bool; 3],
 }
 
 /// What is known of the control when a program begins.
@@ -122,6 +133,7 @@ impl Default for Setting {
             g73_retract: None,
             decimal: None,
             before: Before::Unsaid,
+            assumed: Assumed::default(),
         }
     }
 }

@@ -108,6 +108,20 @@ feed-without-spindle = a feed while the spindle is stopped
     .help = start it with S and M03 or M04; after M06 it is stopped
 feed-zero = the feed is 0
     .help = give F; the feed switch must not be at 0
+limit-not-checked = { $why ->
+        [machine] { $what ->
+            [travel] travels
+            [feed] the greatest feed
+            [speed] spindle speeds
+            [tap] tapping
+           *[magazine] places of the magazine
+        }: not checked, because no machine is named
+       *[zero] axis { $what }: whether it stays in its travel is not checked, because zeros and lengths of tools are those that the plan assumes
+    }
+    .help = { $why ->
+        [machine] name it with --machine
+       *[zero] give `zeros` and `correctors` in the file of --setting
+    }
 beyond-travel-of = axis { $axis } moves to { $value } mm, its travel is { $low } … { $high } mm
     .help = check the dimension, the zero and the offset register
 span-beyond-travel = in { $system } axis { $axis } needs { $needed } mm of travel and has { $travel } mm

@@ -19,7 +19,7 @@ use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Side, Turning};
 use crate::note::{Figure, IntoFigure, Note};
 use crate::program::brought::{Named, Open};
-use crate::program::limits::{Spans, speed_off_steps};
+use crate::program::limits::{NOT_CHECKED, Spans, not_checked, of_machine, speed_off_steps};
 use crate::program::stay::Stay;
 use crate::program::{Call, Fault, Setting, Subject, TextSpan};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
@@ -76,6 +76,11 @@ impl Maker<'_> {
 
     /// Reports a fault, once however often the block is repeated.
     pub(super) fn tell_fault(&mut self, fault: Fault) {
+        // A machine that nobody has named costs no block.
+        let fault = match of_machine(fault.code).filter(|_| self.setting.assumed.machine) {
+            Some(what) => Fault { note: not_checked(what), ..self::fault(NOT_CHECKED, fault.span, fault.block) },
+            None => fault,
+        };
         if !self.faults.iter().any(|reported| reported.code == fault.code && reported.span == fault.span) {
             self.faults.push(fault);
         }

@@ -73,6 +73,7 @@ pub(super) const RULES: &[Rule] = &[
     ("feed-without-spindle", Error, "3.13.1*"),
     ("feed-zero", Error, "3.9.2*"),
     ("beyond-travel-of", Error, "3.8.3"),
+    ("limit-not-checked", Remark, "3.8.3*"),
     ("span-beyond-travel", Error, "3.8.3"),
     ("not-homed", Error, "4.2.5 (4)"),
     ("no-length-offset", Wrong, "3.11.3*"),

@@ -46,7 +46,8 @@ pub fn check_within<S: Sink>(
             running: Running::new(sink, fault, control.habits.clone().under(setting), budget),
         };
         run.program(programs.main.clone(), 0);
-        faults.extend(run.running.finish(blocks.first().map(|block| block.span).unwrap_or_default()));
+        let first = blocks.first().map(|block| block.span).unwrap_or_default();
+        faults.extend(run.running.finish(first, setting.assumed));
     }
     faults.sort_by_key(|fault| fault.span);
     faults

@@ -115,7 +115,8 @@ impl ControlState {
             _ => {
                 let zero = setting.zeros.get(usize::from(system.saturating_sub(54))).and_then(|it| it[axis.index()]);
                 let shift = setting.shift.get(axis);
-                (zero.unwrap_or_default() + shift, zero.is_none().then_some(system))
+                let unknown = zero.is_none() || setting.assumed.zeros[axis.index()];
+                (zero.unwrap_or_default() + shift, unknown.then_some(system))
             }
         }
     }

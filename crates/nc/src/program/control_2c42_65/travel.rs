@@ -68,7 +68,8 @@ impl Maker<'_> {
     /// An axis may not leave its travel (3.8.3).
     fn hold_in_travel(&mut self, reached: AxisRanges, span: TextSpan) {
         let (from, floating) = (self.state.actual, self.state.floating);
-        for (code, note) in beyond_travel(Some(self.machine), reached, from, floating, self.spans) {
+        let with = (&mut *self.spans, self.setting.assumed);
+        for (code, note) in beyond_travel(Some(self.machine), reached, from, floating, with) {
             self.tell_note(code, span, note);
         }
     }

@@ -581,8 +581,9 @@ impl Maker<'_> {
             return;
         }
         let step = MotionStep { motion, at: to, block: self.block };
+        let with = (&mut *self.spans, self.setting.assumed);
         for (code, note) in
-            beyond_travel(self.machine, geometry::reach(&step.motion, from, step.at), from, floating, self.spans)
+            beyond_travel(self.machine, geometry::reach(&step.motion, from, step.at), from, floating, with)
         {
             self.fault(code, span).note = note;
         }

@@ -75,6 +75,7 @@ pub(super) const RULES: &[Rule] = &[
     ("speed-of-tool-before", Warning, "machine"),
     ("feed-zero", Error, "machine"),
     ("beyond-travel-of", Error, "machine"),
+    ("limit-not-checked", Remark, "machine"),
     ("span-beyond-travel", Wrong, "machine"),
     ("cannot-tap", Error, "machine"),
     ("turning-at-change", Wrong, "machine"),

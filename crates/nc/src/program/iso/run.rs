@@ -58,7 +58,7 @@ pub fn check_within<S: Sink>(
         if machine.is_none() {
             run.running.report(fault("machine-not-named", first, None));
         }
-        faults.extend(run.running.finish(first));
+        faults.extend(run.running.finish(first, setting.assumed));
     }
     faults.sort_by_key(|fault| fault.span);
     once(faults)

@@ -200,7 +200,9 @@ impl ControlState {
     /// The zero of a system along an axis, machine coordinates, where it is set.
     pub(super) fn zero(&self, system: usize, axis: Axis, setting: &Setting) -> Option<(Micrometres, Floating)> {
         let own = self.zeros.get(system).and_then(|zero| zero[axis.index()]);
-        own.or_else(|| setting.zeros.get(system)?[axis.index()].map(|zero| (zero, None)))
+        let assumed = setting.assumed.zeros[axis.index()];
+        let floating = if assumed { u8::try_from(system + 54).ok() } else { None };
+        own.or_else(|| setting.zeros.get(system)?[axis.index()].map(|zero| (zero, floating)))
     }
 
     /// What the length offset adds along an axis.

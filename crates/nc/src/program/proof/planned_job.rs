@@ -63,6 +63,7 @@ impl PlannedJob {
             at = own.end;
             for zero in setting.zeros.iter_mut().take(own.end).skip(own.start) {
                 for axis in Axis::ALL {
+                    setting.assumed.zeros[axis.index()] |= zero[axis.index()].is_none();
                     zero[axis.index()].get_or_insert(setup.zero.get(axis));
                 }
             }
@@ -71,6 +72,7 @@ impl PlannedJob {
         let correctors: BTreeMap<u32, Micrometres> = self.job.correctors.iter().copied().collect();
         self.own_correctors = !setting.correctors.is_empty() && setting.correctors != correctors;
         if !self.own_correctors {
+            setting.assumed.zeros[Axis::Z.index()] |= setting.correctors.is_empty();
             setting.correctors = correctors;
         }
     }
