@@ -108,6 +108,7 @@ rows! {
         crest_4: Micrometres,
         crest_6: Micrometres,
         crest_8: Option<Micrometres>,
+        minor_6: Micrometres,
     }
 
     /// Constants of the minor diameter of internal metric threads.

@@ -263,7 +263,7 @@ fn a_bar_is_set_to_the_middle_of_the_field() {
     assert_eq!(last(&honest("steel-45", "20", keys)), (Operation::FinishReam, mm(12.0)));
 }
 
-/// The machine tap M10 of ГОСТ 3266-81 is as thick as its thread behind 39 mm, and its lead takes 3 pitches of them: 34.5 mm of
+/// The machine tap M10 of DIN 371 is as thick as its thread behind 39 mm, and its lead takes 3 pitches of them: 34.5 mm of
 /// thread, whatever machine drives it. Under M10 × 15 in 22 mm the drill would come out: 15 + 4.5 + 2.55 (the point of Ø8.5).
 #[test]
 fn a_hole_that_nothing_makes_names_the_nearest_depth() {

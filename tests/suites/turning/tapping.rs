@@ -65,7 +65,7 @@ fn a_tap_goes_through_with_its_lead() {
     let drill = first.jobs.iter().find(|job| job.work == Work::Drill).unwrap();
     assert!((deepest(drill) - (19.0 + 7.5 + 4.25 / 59_f64.to_radians().tan() + 2.0)).abs() < 0.001);
     let tap = tap_of(first);
-    assert_eq!(tap.tool.designation, "ГОСТ 3266-81 M10");
+    assert_eq!(tap.tool.designation, "DIN 371 M10");
     assert_eq!(deepest(tap), 25.0);
     // Behind the drill and the countersink, before the part is cut off.
     let order: Vec<Work> = first.jobs.iter().map(|job| job.work).collect();
