@@ -139,7 +139,7 @@ impl<'s> Carried<'s> {
 
     fn swept(&self, pieces: &[Convex], motion: &Motion) -> Vec<Convex> {
         let spots = motion.path.spots();
-        let each = spots.windows(2).flat_map(|ends| pieces.iter().filter_map(|piece| piece.swept(ends[0], ends[1])));
+        let each = spots.windows(2).flat_map(|ends| pieces.iter().map(|piece| piece.swept(ends[0], ends[1])));
         each.flat_map(Convex::folded).collect()
     }
 
@@ -170,11 +170,14 @@ impl<'s> Carried<'s> {
                 self.hold_profile(motion, &cuts, false);
                 self.hold_holder(motion, &holds, &cuts);
                 self.hold_flutes(motion);
-                let metal = around(&cuts, self.stock.0.window());
-                if !self.stock.0.within(metal).is_empty() {
-                    self.remember_depth(motion, &cuts);
-                    self.cuts.push((around(&cuts, metal), index));
-                    cuts.iter().filter(|piece| piece.window().meets(metal)).for_each(|piece| self.waiting.add(piece));
+                let window = around(&cuts, self.stock.0.window());
+                let metal = self.stock.0.about(&cuts, window);
+                if !metal.is_empty() {
+                    if self.set_up.measures_cuts {
+                        self.remember_depth(motion, &metal.made(&Region::pieces(&cuts), Rule::Both));
+                    }
+                    self.cuts.push((around(&cuts, window), index));
+                    needed(&cuts, &metal).for_each(|piece| self.waiting.add(&piece));
                 }
                 if self.waiting.count >= BATCH.max(self.stock.0.corners() / CORNERS_A_PIECE) {
                     self.take_off();
@@ -206,15 +209,14 @@ impl<'s> Carried<'s> {
         if !may_meet(&self.stock.0, pieces) {
             return None;
         }
-        let metal = self.stock.0.within(around(pieces, self.stock.0.window()));
+        let metal = self.stock.0.about(pieces, around(pieces, self.stock.0.window()));
         let met = metal.made(&Region::pieces(pieces), Rule::Both);
         thickest(&met)?;
         let window = met.window();
         let near = |piece: &&Convex| piece.window().meets(window);
         let threaded = self.threaded.iter().filter(|_| grooves);
-        let free = Region::pieces(threaded.chain(cut).filter(near));
-        let waiting = self.waiting.parts.iter().map(|(_, part)| part.within(window));
-        thickest(&waiting.chain([free]).fold(met, |met, free| met.made(&free, Rule::Without)))
+        let free = Region::pieces(threaded.chain(cut).filter(near)).beside(self.waiting.within(window));
+        thickest(&met.made(&free, Rule::Without))
     }
 
     fn hold_holder(&mut self, motion: &Motion, holds: &[Convex], cut: &[Convex]) {
@@ -292,7 +294,7 @@ impl<'s> Carried<'s> {
 
     /// The depth of a straight cut: its area over the length along which it cuts, so that the last turn before a wall counts no more
     /// than it lasts. What is thinner than the crests between two turns of a feed is air.
-    fn remember_depth(&mut self, motion: &Motion, cuts: &[Convex]) {
+    fn remember_depth(&mut self, motion: &Motion, cut: &Region) {
         const CRESTS: f64 = 0.05;
         let edged = matches!(self.tool(motion).cutter, Cutter::Insert { .. });
         let (from, to) = (motion.path.from().spot(), motion.path.to().spot());
@@ -300,10 +302,7 @@ impl<'s> Carried<'s> {
             self.chips.blocks.insert(motion.block);
             return;
         }
-        let cut = self.stock.0.within(around(cuts, self.stock.0.window())).made(&Region::pieces(cuts), Rule::Both);
-        let window = cut.window();
-        let waiting = self.waiting.parts.iter().map(|(_, part)| part.within(window));
-        let cut = waiting.fold(cut, |cut, free| cut.made(&free, Rule::Without));
+        let cut = cut.made(&self.waiting.within(cut.window()), Rule::Without);
         let along = to.minus(from).unit();
         let ends = cut.chains().flatten().map(|spot| spot.minus(from).dot(along));
         let (least, most) =
@@ -387,7 +386,7 @@ fn gouges(target: &Target, keep: &Region, thread: bool, motion: &Motion, cuts: &
     if !may_meet(keep, cuts) {
         return Vec::new();
     }
-    let local = keep.within(around(cuts, keep.window()));
+    let local = keep.about(cuts, around(cuts, keep.window()));
     let pieces = local.made(&Region::pieces(cuts), Rule::Both);
     let gouge = |piece: Region| {
         let spots = samples(&piece, 16);
@@ -398,6 +397,15 @@ fn gouges(target: &Target, keep: &Region, thread: bool, motion: &Motion, cuts: &
         Some(Fault::of_surface(What::Gouge { depth }, surface, Some(at), Some(motion.block)))
     };
     pieces.outer_pieces().filter_map(gouge).collect()
+}
+
+/// What of some pieces is needed to take them off the metal around them: they reach far beyond it, and would cross all others of
+/// their pass there.
+fn needed(pieces: &[Convex], metal: &Region) -> impl Iterator<Item = Convex> {
+    /// So that no edge of a piece that is left runs along one of the metal, mm.
+    const BESIDE: f64 = 0.01;
+    let window = metal.window().grown(BESIDE);
+    pieces.iter().filter(move |piece| piece.window().meets(window)).filter_map(move |piece| piece.within(window))
 }
 
 /// Unites swept pieces in pairs, then the pairs, and so on: pieces of one pass overlap, and a union of all of them at
@@ -417,6 +425,11 @@ impl Waiting {
             part = (count + part.0, before.made(&part.1, Rule::Either));
         }
         self.parts.push(part);
+    }
+
+    /// What lies in a window; its parts may overlap.
+    fn within(&self, window: Window) -> Region {
+        self.parts.iter().map(|(_, part)| part.within(window)).fold(Region::default(), Region::beside)
     }
 
     fn together(self) -> Option<Region> {

@@ -87,7 +87,7 @@ pub struct Proof {
     pub left: Stock,
     /// The volumes.
     pub volumes: Volumes,
-    /// Its cuts.
+    /// Its cuts, where they are measured.
     pub cuts: Cuts,
     /// How far from the stock each tool stands as the turret turns.
     pub indexed: Vec<IndexedNear>,

@@ -278,4 +278,6 @@ pub struct SetUp {
     pub motions: Vec<Motion>,
     /// The changes between them whose distance from the stock is measured.
     pub indexed: Vec<Indexed>,
+    /// Whether the cuts are measured, too: it takes most of the time of a proof, and who planned them knows them.
+    pub measures_cuts: bool,
 }

@@ -46,7 +46,7 @@ pub(super) fn homes(
             let corner = if axis == "X" { At::new(from.z, Mm(FAR)) } else { At::new(Mm(FAR), from.radius) };
             bent.extend(Piece::lines(&[from, corner, to]).into_iter().map(|path| Motion { path, ..*motion }));
         }
-        let other = prove_set_up(operation, &operation.proven, work, bent, Vec::new());
+        let other = prove_set_up(operation, &operation.proven, work, bent, None);
         let Ok(proof) = &other.proof else { continue };
         for (_, found) in told_of_program(operation, work.set_up.number, proof) {
             let Some(block) = found.block.filter(|block| blocks.contains(block) && !known(*block)) else { continue };

@@ -231,7 +231,7 @@ fn compared<'o>(operation: &'o Operation, set_up: u8, text: &str, run: &LatheRun
         _ => run.motions.clone(),
     };
     let (motions, indexed) = motions(&followed, &tools).map_err(told)?;
-    let proven = prove_set_up(operation, &operation.proven, work, motions.clone(), indexed);
+    let proven = prove_set_up(operation, &operation.proven, work, motions.clone(), Some(indexed));
     Ok(Compared { work, proven, tools, motions })
 }
 

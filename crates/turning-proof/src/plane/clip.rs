@@ -56,15 +56,15 @@ impl HalfPlane {
         /// Shorter edges than this share of the window cut off little.
         const SHARE: f64 = 0.1;
         let window = piece.window();
-        let long = SHARE * window.most.minus(window.least).length();
+        let across = window.most.minus(window.least);
+        let long = SHARE * SHARE * across.dot(across);
         let corners = piece.corners();
         let ends = corners.iter().zip(corners.iter().skip(1).chain(corners.first()));
-        let tilted = ends.filter_map(|(from, to)| {
-            let path = to.minus(*from);
+        let lines = ends.map(|(from, to)| (*from, to.minus(*from)));
+        let tilted = lines.filter(|(_, path)| path.dot(*path) > long).map(|(from, path)| {
             let along = path.unit();
             // Counter-clockwise: inside is to the left.
-            let side = Self { z: -along.r, r: along.z, by: (along.r * from.z - along.z * from.r) * GRID + OUT };
-            (path.length() > long).then_some(side)
+            Self { z: -along.r, r: along.z, by: (along.r * from.z - along.z * from.r) * GRID + OUT }
         });
         Self::of_window(window.grown(OUT / GRID)).into_iter().chain(tilted).collect()
     }

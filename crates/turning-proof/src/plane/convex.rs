@@ -35,8 +35,7 @@ impl Convex {
             }
             corners.pop();
         }
-        let window = Window::around(corners.iter().copied());
-        (corners.len() > 2).then_some(Self { corners, window })
+        (corners.len() > 2).then(|| Self::of(corners))
     }
 
     /// The corners of a rectangle.
@@ -52,10 +51,27 @@ impl Convex {
         self.window
     }
 
-    /// Its sweep along a straight line.
-    pub fn swept(&self, from: Vector, to: Vector) -> Option<Self> {
-        let ends = if from == to { vec![from] } else { vec![from, to] };
-        Self::hull(ends.iter().flat_map(|end| self.corners.iter().map(|corner| corner.plus(*end))))
+    /// Its sweep along a straight line: its edges that face ahead are moved to the end of the line, the others stay.
+    pub fn swept(&self, from: Vector, to: Vector) -> Self {
+        let path = to.minus(from);
+        let ahead = |from: Vector, to: Vector| to.minus(from).right().dot(path) > 0.0;
+        let mut corners = Vec::with_capacity(self.corners.len() + 2);
+        let before = self.corners.iter().skip(self.corners.len() - 1).chain(&self.corners);
+        let after = self.corners.iter().skip(1).chain(self.corners.first());
+        for ((&before, &here), &after) in before.zip(&self.corners).zip(after) {
+            let (was, is) = (ahead(before, here), ahead(here, after));
+            corners.push(here.plus(if was { to } else { from }));
+            if was != is {
+                corners.push(here.plus(if is { to } else { from }));
+            }
+        }
+        Self::of(corners)
+    }
+
+    /// Of corners that are those of a convex piece already.
+    fn of(corners: Vec<Vector>) -> Self {
+        let window = Window::around(corners.iter().copied());
+        Self { corners, window }
     }
 
     /// The piece in the half-plane after a turn of the part: the part of it beyond the axis cuts on this side.
@@ -68,17 +84,31 @@ impl Convex {
     }
 
     fn above_axis(&self) -> Option<Self> {
+        self.beyond(|spot| spot.r)
+    }
+
+    /// The part of it inside a window.
+    pub fn within(&self, window: Window) -> Option<Self> {
+        let (least, most) = (window.least, window.most);
+        let across = self.beyond(|spot| spot.z - least.z)?.beyond(|spot| most.z - spot.z)?;
+        across.beyond(|spot| spot.r - least.r)?.beyond(|spot| most.r - spot.r)
+    }
+
+    /// The part of it where a linear measure is not negative.
+    fn beyond(&self, measure: impl Fn(Vector) -> f64) -> Option<Self> {
         let mut kept = Vec::with_capacity(self.corners.len() + 2);
         for (index, &here) in self.corners.iter().enumerate() {
             let next = self.corners[(index + 1) % self.corners.len()];
-            if here.r >= 0.0 {
+            let (is, then) = (measure(here), measure(next));
+            if is >= 0.0 {
                 kept.push(here);
             }
-            if (here.r < 0.0) != (next.r < 0.0) {
-                kept.push(Vector::new(here.z + (next.z - here.z) * here.r / (here.r - next.r), 0.0));
+            if (is < 0.0) != (then < 0.0) {
+                kept.push(here.plus(next.minus(here).times(is / (is - then))));
             }
         }
-        Self::hull(kept)
+        kept.dedup();
+        (kept.len() > 2).then(|| Self::of(kept))
     }
 
     /// The distance of a point from it, mm; 0 inside.

@@ -121,6 +121,23 @@ impl Region {
         Self::of(self.near(window).filter_map(|(contour, boxes)| clipped(contour, boxes, &sides)).collect())
     }
 
+    /// The part of it around some pieces, which lie in a window: of one piece what lies near its own edges.
+    #[must_use]
+    pub fn about(&self, pieces: &[Convex], window: Window) -> Self {
+        let [piece] = pieces else { return self.within(window) };
+        let sides = HalfPlane::around(piece);
+        Self::of(self.near(piece.window()).filter_map(|(contour, boxes)| clipped(contour, boxes, &sides)).collect())
+    }
+
+    /// With the contours of another, which may overlap: what is taken off need not be united.
+    #[must_use]
+    pub fn beside(mut self, other: Self) -> Self {
+        self.contours.extend(other.contours);
+        self.windows.extend(other.windows);
+        self.boxes.extend(other.boxes);
+        self
+    }
+
     /// Whether some of it may lie within a convex piece. Only its longer edges are looked at, and these generously: where it says
     /// that there is nothing, there is nothing.
     pub fn may_meet(&self, piece: &Convex) -> bool {

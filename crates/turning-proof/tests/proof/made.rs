@@ -75,6 +75,7 @@ pub fn bar_work(outside: Vec<ProfilePiece>, radius: f64, ends: (f64, f64), tool:
         tools: vec![tool],
         motions,
         indexed: Vec::new(),
+        measures_cuts: false,
     }
 }
 

@@ -65,6 +65,7 @@ fn made(made: &Made) -> SetUp {
         tools: vec![bare(cutter)],
         motions,
         indexed: Vec::new(),
+        measures_cuts: false,
     }
 }
 
@@ -147,6 +148,7 @@ fn the_bar_behind_a_thread_is_of_the_next_set_up() {
         tools: Vec::new(),
         motions: Vec::new(),
         indexed: Vec::new(),
+        measures_cuts: false,
     };
     assert_eq!(wrong(&work), []);
 }

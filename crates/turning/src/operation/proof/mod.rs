@@ -38,7 +38,7 @@ pub fn prove(operation: &Operation) -> Vec<Proven> {
         for (number, motion) in (1..).zip(&mut motions) {
             motion.block = Block(number);
         }
-        proven.push(prove_set_up(operation, &proven, set_up, motions, Vec::new()));
+        proven.push(prove_set_up(operation, &proven, set_up, motions, None));
     }
     proven
 }
@@ -51,13 +51,13 @@ fn of_job(job: &Job, tool: usize) -> Vec<Motion> {
 }
 
 /// Simulates given motions of a set-up on the stock after the earlier set-ups, with the tools of its jobs by index, and the changes
-/// between them.
+/// between them. With these, which may be none, it is somebody's program, and what its tools take off is measured.
 pub fn prove_set_up(
     operation: &Operation,
     before: &[Proven],
     set_up: &SetUpWork,
     motions: Vec<Motion>,
-    indexed: Vec<proof::Indexed>,
+    indexed: Option<Vec<proof::Indexed>>,
 ) -> Proven {
     let workpiece = &operation.workpiece;
     let number = set_up.set_up.number;
@@ -84,7 +84,8 @@ pub fn prove_set_up(
         bodies: bodies(set_up),
         tools: set_up.jobs.iter().map(|job| tool(&job.tool)).collect(),
         motions,
-        indexed,
+        measures_cuts: indexed.is_some(),
+        indexed: indexed.unwrap_or_default(),
     };
     Proven { set_up: number, proof: proof::prove(&task) }
 }
