@@ -12,10 +12,12 @@ mod hold;
 mod pins;
 mod vice;
 
+use std::collections::BTreeMap;
+
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::machine::Machine;
-use crate::note::{Because, Figure, Finding, Note, Severity};
+use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::part::{Face, Fixture, Outline, Part, Point};
 use crate::plan::{Clamping, HolePlan, Operation, OwnFixture, Strap, Transition, Vice};
 use crate::shop::{Shop, convention};
@@ -23,7 +25,7 @@ use crate::tables::controls::Convention;
 use crate::tables::holes::HoleDefault;
 use crate::tables::materials::{ClampScrew, Clamping as Constant, ClampingConstant, StrapRow};
 use crate::tables::rules::{ClampingLoadFor, PartLoad};
-use crate::units::{Micrometres, NewtonMetres, Newtons};
+use crate::units::{Micrometres, NewtonMetres, Newtons, round_to};
 
 /// The clamping of a planned part: W = k·M/(f·d) (textbook 5.2 item 7), and where the rule `clamping-load` says that a
 /// transition pushes the part aside, W = k·P/(f + f2) with P = 2·M/D if that is more; the largest value over all holes.
@@ -54,18 +56,25 @@ pub fn clamping(
         };
         return Ok((Some(clamping), faults));
     }
-    let mut best = None;
+    // Of each number of straps what is wrong with the first set, which has the most room to the holes.
+    let mut whys: BTreeMap<usize, Note> = BTreeMap::new();
+    let mut torque = NewtonMetres(0.0);
     for clamps in proposals(part, inset, &shop.machine) {
+        let count = clamps.len();
         let Some((clamping, faults)) = clamped(part, holes, clamps, true, shop)? else { break };
         let Some(Finding { note: why, .. }) = faults.into_iter().next() else {
             return Ok((Some(clamping), Vec::new()));
         };
-        best.get_or_insert((clamping.torque_n_m, why));
+        torque = clamping.torque_n_m;
+        whys.entry(count).or_insert(why);
     }
-    let finding = best.map(|(torque, why)| {
-        let note = Note::new("no-place-for-clamps").with("torque", torque.rounded(1).0).with("why", why);
-        Finding::of_part(Severity::Doubtful, note)
-    });
+    let told = |(clamps, why): (usize, Note)| {
+        Note::new("straps-of-number").with("clamps", clamps).with("why", why).into_figure()
+    };
+    let none = whys.is_empty();
+    let why = Figure::List(whys.into_iter().map(told).collect(), "; ");
+    let note = Note::new("no-place-for-clamps").with("torque", torque.rounded(1).0).with("why", why);
+    let finding = (!none).then(|| Finding::of_part(Severity::Doubtful, note));
     Ok((None, finding.into_iter().collect()))
 }
 
@@ -307,6 +316,16 @@ fn clamped(
     let short = |bears: Newtons| {
         if bears.0 * k < each.0 * (k - rounding) { Severity::Error } else { Severity::Doubtful }
     };
+    // What would hold with the same screws: more of them, or less torque, to which the force is proportional.
+    let count = clamps.len();
+    let remedied = |note: Note, bears: Newtons| {
+        let enough = libm::ceil(force / bears.0).max(1.0);
+        let most = torque.0 * bears.0 * count as f64 / force;
+        note.with("enough", round_to(enough, 0))
+            .with("share", Newtons(force / enough).rounded(0).0)
+            .with("torque", torque.rounded(2).0)
+            .with("most", round_to(libm::floor(most * 10.0) / 10.0, 1))
+    };
     let mut faults = Vec::new();
     if let (None, Some(strongest)) = (strong, strongest) {
         let note = match slot {
@@ -314,10 +333,10 @@ fn clamped(
                 .with("slot", slot)
                 .with("screw", strongest.thread)
                 .with("bears", strongest.force_80.0),
-            None => Note::new("no-screw"),
+            None => Note::new("no-screw").with("screw", strongest.thread).with("bears", strongest.force_80.0),
         };
         let note = note.with("force", each.rounded(0).0).with("clamps", clamps.len());
-        faults.push(Finding::of_part(short(strongest.force_80), note));
+        faults.push(Finding::of_part(short(strongest.force_80), remedied(note, strongest.force_80)));
     }
     // Where no screw bears the force, the strongest is shown.
     let screw = match strong.or(strongest) {
@@ -364,7 +383,7 @@ fn clamped(
             .with("bears", most.0)
             .with("force", clamping.force_per_clamp_n.0)
             .with("needed", name);
-        faults.push(Finding::of_part(short(most), note));
+        faults.push(Finding::of_part(short(most), remedied(note, most)));
     }
     let hold = hold::Hold { torque: turns.0, side: pushes, hole: turns.1, bears: most, safety: k, friction: f + f2 };
     faults.extend(hold::faults(part, &clamping.clamps, hold, shop)?);
