@@ -49,6 +49,7 @@ pub fn clamping(
         return Ok((None, Vec::new()));
     }
     let inset = shop.convention(HoleDefault::ClampInset)?;
+    let combined = shop.share(HoleDefault::ClampPairsCombined)? as usize;
     if !part.fixture.clamps.is_empty() {
         let clamps = part.fixture.clamps.iter().map(|clamp| clamp.at).collect();
         let Some((clamping, faults)) = clamped(part, holes, clamps, false, shop)? else {
@@ -59,7 +60,7 @@ pub fn clamping(
     // Of each number of straps what is wrong with the first set, which has the most room to the holes.
     let mut whys: BTreeMap<usize, Note> = BTreeMap::new();
     let mut torque = NewtonMetres(0.0);
-    for clamps in proposals(part, inset, &shop.machine) {
+    for clamps in proposals(part, inset, combined, &shop.machine) {
         let count = clamps.len();
         let Some((clamping, faults)) = clamped(part, holes, clamps, true, shop)? else { break };
         let Some(Finding { note: why, .. }) = faults.into_iter().next() else {
@@ -122,11 +123,12 @@ pub fn clampings(
     shop: &Shop<'_>,
 ) -> Result<Vec<Clamping>, KnowledgeError> {
     let inset = shop.convention(HoleDefault::ClampInset)?;
+    let combined = shop.share(HoleDefault::ClampPairsCombined)? as usize;
     let own: Vec<HolePlan> = holes.iter().map(|plan| of_face(plan, face)).collect();
     let turned = (face == Face::Back).then(|| turned(part));
     let part = turned.as_ref().unwrap_or(part);
     let mut sets = Vec::new();
-    for places in proposals(part, inset, &shop.machine) {
+    for places in proposals(part, inset, combined, &shop.machine) {
         if let Some((clamping, faults)) = clamped(part, &own, places, true, shop)?
             && faults.is_empty()
         {
@@ -430,15 +432,12 @@ fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(
     })
 }
 
-/// How many pairs sets of six are made of: 56 sets are tried at most.
-const BEST_PAIRS: usize = 8;
-
 /// Symmetric pairs on two opposite sides, sets of four from two pairs, and of six from three of the best: those with the most room to the holes
 /// first, corners last; among equals the middles of the sides first. Where holes block all of them, the best pair
 /// alone.
 ///
 /// Where the table ends before the part does, clamps stand over the table: the middle of the part lies over its middle.
-fn proposals(part: &Part, inset: Micrometres, machine: &Machine<'_>) -> Vec<Vec<Point>> {
+fn proposals(part: &Part, inset: Micrometres, combined: usize, machine: &Machine<'_>) -> Vec<Vec<Point>> {
     let (blank, middle) = (&part.blank, part.middle());
     // A spindle that does not stand over its table says nothing of its height.
     let upright = machine.nose_to_table.is_some();
@@ -469,7 +468,7 @@ fn proposals(part: &Part, inset: Micrometres, machine: &Machine<'_>) -> Vec<Vec<
     }
     let fours = free.iter().enumerate().flat_map(|(at, one)| free[at + 1..].iter().map(|two| [&one[..], two].concat()));
     let fours: Vec<Vec<Point>> = fours.collect();
-    let best = &free[..free.len().min(BEST_PAIRS)];
+    let best = &free[..free.len().min(combined)];
     let mut sixes = Vec::new();
     for (at, one) in best.iter().enumerate() {
         for (next, two) in best.iter().enumerate().skip(at + 1) {
