@@ -12,10 +12,12 @@ mod hold;
 mod pins;
 mod vice;
 
+use std::collections::BTreeMap;
+
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::machine::Machine;
-use crate::note::{Because, Figure, Finding, Note, Severity};
+use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::part::{Face, Fixture, Outline, Part, Point};
 use crate::plan::{Clamping, HolePlan, Operation, OwnFixture, Strap, Transition, Vice};
 use crate::shop::{Shop, convention};
@@ -23,7 +25,7 @@ use crate::tables::controls::Convention;
 use crate::tables::holes::HoleDefault;
 use crate::tables::materials::{ClampScrew, Clamping as Constant, ClampingConstant, StrapRow};
 use crate::tables::rules::{ClampingLoadFor, PartLoad};
-use crate::units::{Micrometres, NewtonMetres, Newtons};
+use crate::units::{Micrometres, NewtonMetres, Newtons, round_to};
 
 /// The clamping of a planned part: W = k·M/(f·d) (textbook 5.2 item 7), and where the rule `clamping-load` says that a
 /// transition pushes the part aside, W = k·P/(f + f2) with P = 2·M/D if that is more; the largest value over all holes.
@@ -47,6 +49,7 @@ pub fn clamping(
         return Ok((None, Vec::new()));
     }
     let inset = shop.convention(HoleDefault::ClampInset)?;
+    let combined = shop.share(HoleDefault::ClampPairsCombined)? as usize;
     if !part.fixture.clamps.is_empty() {
         let clamps = part.fixture.clamps.iter().map(|clamp| clamp.at).collect();
         let Some((clamping, faults)) = clamped(part, holes, clamps, false, shop)? else {
@@ -54,18 +57,25 @@ pub fn clamping(
         };
         return Ok((Some(clamping), faults));
     }
-    let mut best = None;
-    for clamps in proposals(part, inset, &shop.machine) {
+    // Of each number of straps what is wrong with the first set, which has the most room to the holes.
+    let mut whys: BTreeMap<usize, Note> = BTreeMap::new();
+    let mut torque = NewtonMetres(0.0);
+    for clamps in proposals(part, inset, combined, &shop.machine) {
+        let count = clamps.len();
         let Some((clamping, faults)) = clamped(part, holes, clamps, true, shop)? else { break };
         let Some(Finding { note: why, .. }) = faults.into_iter().next() else {
             return Ok((Some(clamping), Vec::new()));
         };
-        best.get_or_insert((clamping.torque_n_m, why));
+        torque = clamping.torque_n_m;
+        whys.entry(count).or_insert(why);
     }
-    let finding = best.map(|(torque, why)| {
-        let note = Note::new("no-place-for-clamps").with("torque", torque.rounded(1).0).with("why", why);
-        Finding::of_part(Severity::Doubtful, note)
-    });
+    let told = |(clamps, why): (usize, Note)| {
+        Note::new("straps-of-number").with("clamps", clamps).with("why", why).into_figure()
+    };
+    let none = whys.is_empty();
+    let why = Figure::List(whys.into_iter().map(told).collect(), "; ");
+    let note = Note::new("no-place-for-clamps").with("torque", torque.rounded(1).0).with("why", why);
+    let finding = (!none).then(|| Finding::of_part(Severity::Doubtful, note));
     Ok((None, finding.into_iter().collect()))
 }
 
@@ -113,11 +123,12 @@ pub fn clampings(
     shop: &Shop<'_>,
 ) -> Result<Vec<Clamping>, KnowledgeError> {
     let inset = shop.convention(HoleDefault::ClampInset)?;
+    let combined = shop.share(HoleDefault::ClampPairsCombined)? as usize;
     let own: Vec<HolePlan> = holes.iter().map(|plan| of_face(plan, face)).collect();
     let turned = (face == Face::Back).then(|| turned(part));
     let part = turned.as_ref().unwrap_or(part);
     let mut sets = Vec::new();
-    for places in proposals(part, inset, &shop.machine) {
+    for places in proposals(part, inset, combined, &shop.machine) {
         if let Some((clamping, faults)) = clamped(part, &own, places, true, shop)?
             && faults.is_empty()
         {
@@ -307,6 +318,16 @@ fn clamped(
     let short = |bears: Newtons| {
         if bears.0 * k < each.0 * (k - rounding) { Severity::Error } else { Severity::Doubtful }
     };
+    // What would hold with the same screws: more of them, or less torque, to which the force is proportional.
+    let count = clamps.len();
+    let remedied = |note: Note, bears: Newtons| {
+        let enough = libm::ceil(force / bears.0).max(1.0);
+        let most = torque.0 * bears.0 * count as f64 / force;
+        note.with("enough", round_to(enough, 0))
+            .with("share", Newtons(force / enough).rounded(0).0)
+            .with("torque", torque.rounded(2).0)
+            .with("most", round_to(libm::floor(most * 10.0) / 10.0, 1))
+    };
     let mut faults = Vec::new();
     if let (None, Some(strongest)) = (strong, strongest) {
         let note = match slot {
@@ -314,10 +335,10 @@ fn clamped(
                 .with("slot", slot)
                 .with("screw", strongest.thread)
                 .with("bears", strongest.force_80.0),
-            None => Note::new("no-screw"),
+            None => Note::new("no-screw").with("screw", strongest.thread).with("bears", strongest.force_80.0),
         };
         let note = note.with("force", each.rounded(0).0).with("clamps", clamps.len());
-        faults.push(Finding::of_part(short(strongest.force_80), note));
+        faults.push(Finding::of_part(short(strongest.force_80), remedied(note, strongest.force_80)));
     }
     // Where no screw bears the force, the strongest is shown.
     let screw = match strong.or(strongest) {
@@ -364,7 +385,7 @@ fn clamped(
             .with("bears", most.0)
             .with("force", clamping.force_per_clamp_n.0)
             .with("needed", name);
-        faults.push(Finding::of_part(short(most), note));
+        faults.push(Finding::of_part(short(most), remedied(note, most)));
     }
     let hold = hold::Hold { torque: turns.0, side: pushes, hole: turns.1, bears: most, safety: k, friction: f + f2 };
     faults.extend(hold::faults(part, &clamping.clamps, hold, shop)?);
@@ -411,15 +432,12 @@ fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(
     })
 }
 
-/// How many pairs sets of six are made of: 56 sets are tried at most.
-const BEST_PAIRS: usize = 8;
-
 /// Symmetric pairs on two opposite sides, sets of four from two pairs, and of six from three of the best: those with the most room to the holes
 /// first, corners last; among equals the middles of the sides first. Where holes block all of them, the best pair
 /// alone.
 ///
 /// Where the table ends before the part does, clamps stand over the table: the middle of the part lies over its middle.
-fn proposals(part: &Part, inset: Micrometres, machine: &Machine<'_>) -> Vec<Vec<Point>> {
+fn proposals(part: &Part, inset: Micrometres, combined: usize, machine: &Machine<'_>) -> Vec<Vec<Point>> {
     let (blank, middle) = (&part.blank, part.middle());
     // A spindle that does not stand over its table says nothing of its height.
     let upright = machine.nose_to_table.is_some();
@@ -450,7 +468,7 @@ fn proposals(part: &Part, inset: Micrometres, machine: &Machine<'_>) -> Vec<Vec<
     }
     let fours = free.iter().enumerate().flat_map(|(at, one)| free[at + 1..].iter().map(|two| [&one[..], two].concat()));
     let fours: Vec<Vec<Point>> = fours.collect();
-    let best = &free[..free.len().min(BEST_PAIRS)];
+    let best = &free[..free.len().min(combined)];
     let mut sixes = Vec::new();
     for (at, one) in best.iter().enumerate() {
         for (next, two) in best.iter().enumerate().skip(at + 1) {

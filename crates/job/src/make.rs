@@ -27,7 +27,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
     let machine = &shop.machine;
     let (mut findings, mut asked) = (Vec::new(), Vec::new());
     let mut setups = Vec::new();
-    let (mut frames, mut bars) = (0, Bars::of(plan));
+    let (mut frames, mut bars) = (0, Bars::of(plan, shop.convention(HoleDefault::SettingStep)?));
     // The tool in each place; the first loading is done before the program begins.
     let mut magazine: BTreeMap<u32, u32> = plan
         .tools
@@ -104,11 +104,12 @@ struct Bars {
 }
 
 impl Bars {
-    fn of(plan: &Plan) -> Self {
+    fn of(plan: &Plan, step: Micrometres) -> Self {
         let mut all: BTreeMap<u32, BTreeSet<Micrometres>> = BTreeMap::new();
         for visit in &plan.sequence {
             let transitions = visit.stops.iter().filter_map(|stop| transition_of(plan, &stop.hole, stop.transition));
-            let settings = transitions.flat_map(|one| (1..=one.passes.max(1)).filter_map(|pass| setting(one, pass)));
+            let settings =
+                transitions.flat_map(|one| (1..=one.passes.max(1)).filter_map(|pass| setting(one, pass, step)));
             all.entry(visit.tool).or_default().extend(settings);
         }
         Self { all, now: BTreeMap::new() }
@@ -138,10 +139,11 @@ fn rounds(
 ) -> Result<Vec<ToolWork>, KnowledgeError> {
     // The work at one setting of the bar; every other tool has one setting.
     let mut settings: BTreeMap<Option<Micrometres>, Vec<(usize, u32)>> = BTreeMap::new();
+    let step = shop.convention(HoleDefault::SettingStep)?;
     for (index, stop) in visit.stops.iter().enumerate() {
         let Some(transition) = transition_of(plan, &stop.hole, stop.transition) else { continue };
         for pass in 1..=transition.passes.max(1) {
-            settings.entry(setting(transition, pass)).or_default().push((index, pass));
+            settings.entry(setting(transition, pass, step)).or_default().push((index, pass));
         }
     }
     let mut pauses = pauses;
@@ -217,10 +219,11 @@ fn transition_of<'p>(plan: &'p Plan, hole: &str, transition: usize) -> Option<&'
     plan.holes.iter().find(|plan| plan.name == hole)?.transitions.get(transition)
 }
 
-/// The setting of a boring bar for a pass: the stock is removed in equal passes.
-fn setting(transition: &Transition, pass: u32) -> Option<Micrometres> {
+/// The setting of a boring bar for a pass: the stock is removed in passes that are equal within the step of setting.
+fn setting(transition: &Transition, pass: u32, step: Micrometres) -> Option<Micrometres> {
     let stock = transition.diameter_mm - transition.from_diameter_mm;
-    let passes = i64::from(transition.passes.max(1));
-    let diameter = transition.from_diameter_mm + stock.ratio(i64::from(pass), passes);
+    let passes = transition.passes.max(1);
+    let exact = transition.from_diameter_mm + stock.ratio(i64::from(pass), i64::from(passes));
+    let diameter = if pass < passes { exact.on_grid(step) } else { transition.diameter_mm };
     transition.operation.is_boring().then_some(diameter)
 }

@@ -71,6 +71,8 @@ vocabulary! {
         EdgeClearance = "edge-clearance-mm",
         ReamerLeastShare = "reamer-least-share",
         CoreDrillLeastShare = "core-drill-least-share",
+        ClampSetsTried = "clamp-sets-tried",
+        ClampPairsCombined = "clamp-pairs-combined",
         FinestBoughtGrade = "finest-bought-grade",
         CoarsestBoughtGrade = "coarsest-bought-grade",
         CutterGrindShare = "cutter-grind-share",

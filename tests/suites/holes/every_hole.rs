@@ -39,7 +39,7 @@ fn a_deep_hole_gets_a_long_drill_and_pecks() {
         without_errors(technolog_testing::plan_of_hole("steel-45", "gf2171", depth, &keys), &keys)
     };
     for (diameter, depth, drill) in [
-        ("8H12", "100", "ГОСТ 886-77 Ø8"),
+        ("8H12", "99", "ГОСТ 886-77 Ø8"),
         ("10H12", "105", "ГОСТ 886-77 Ø10"),
         ("16H12", "130", "ГОСТ 886-77 Ø16"),
         ("10H12", "70", "035-2300-1273"),

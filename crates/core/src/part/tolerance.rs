@@ -29,12 +29,13 @@ pub struct ToleratedDiameter {
     /// How the drawing writes it.
     pub written: String,
     /// What its limits come from.
-    #[serde(skip)]
+    #[serde(default, skip_serializing_if = "LimitsOf::is_of_drawing")]
     pub limits: LimitsOf,
 }
 
 /// What the limits of a diameter come from.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum LimitsOf {
     /// The drawing gives a field or deviations.
     #[default]
@@ -43,6 +44,13 @@ pub enum LimitsOf {
     Free,
     /// The minor diameter of a thread, wide and without a size of its own.
     Thread,
+}
+
+impl LimitsOf {
+    /// Whether the drawing gives them, which need not be said.
+    fn is_of_drawing(&self) -> bool {
+        *self == Self::Drawing
+    }
 }
 
 impl fmt::Display for ToleratedDiameter {

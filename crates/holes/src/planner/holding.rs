@@ -10,10 +10,8 @@ use crate::plan::{Clamping, HolePlan, Plan};
 use crate::sequence;
 use crate::setup;
 use crate::shop::Shop;
+use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
-
-/// Of so many clamps one set is tried so often at most.
-const MOST_SETS: usize = 40;
 
 /// The plan with clamps or a vice, and what is to be said of them.
 ///
@@ -54,10 +52,11 @@ fn out_of_the_way(plan: Plan, face: Face, shop: &Shop<'_>) -> Result<(Plan, Opti
     let own_fault = with.iter().find(|fault| !without.contains(fault)).filter(|_| with.len() > without.len());
     let Some(why) = own_fault.cloned().or(in_strap) else { return Ok((plan, None)) };
     let (mut tried, mut best): (BTreeMap<usize, usize>, Option<(usize, Plan)>) = (BTreeMap::new(), None);
+    let most = shop.share(HoleDefault::ClampSetsTried)? as usize;
     for set in setup::clampings(&plan.part, &plan.holes, face, shop)? {
         let count = tried.entry(set.clamps.len()).or_default();
         *count += 1;
-        if *count > MOST_SETS {
+        if *count > most {
             continue;
         }
         let other = clamped(&plan, face, Some(set));

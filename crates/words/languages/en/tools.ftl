@@ -44,12 +44,12 @@ clamping-pushes = { $operation } with M = { $torque } N·m pushes the part with 
 friction = friction f = { $value }
 least-screw = no thinner screw than M{ $value } is set under a strap
 screw = { $needed } is needed, { $taken } taken: bears { $bears } N
-no-screw = no screw bears { $force } N per clamp ({ $clamps })
-no-screw-for-slot = T-slots of { $slot } mm take screw { $screw } at most: { $bears } N < { $force } N on each clamp ({ $clamps }); cut lighter, or take a fixture of your own
+no-screw = no screw bears { $force } N per clamp ({ $clamps }), { $screw } bears { $bears } N: take { $enough } clamps no nearer to the holes ({ $share } N each), or cut with { $most } N·m at most instead of { $torque } N·m
+no-screw-for-slot = T-slots of { $slot } mm take screw { $screw } at most: { $bears } N < { $force } N on each clamp ({ $clamps }); take { $enough } clamps no nearer to the holes ({ $share } N each), cut with { $most } N·m at most instead of { $torque } N·m, or take a fixture of your own
 straps-overlap = the straps at { $one } and { $other } would overlap
 strap-near-hole = the strap of screw { $screw }, { $width } mm wide, leaves the tools of hole { $hole } less than { $least } mm beside it
 strap = strap of screw { $screw }: { $width } mm wide, { $height } mm over the face with its nut
-screw-too-weak = screw { $screw } bears { $bears } N, and each clamp takes { $force } N; { $needed } is needed
+screw-too-weak = screw { $screw } bears { $bears } N, and each clamp takes { $force } N; { $needed } is needed, or { $enough } clamps of { $screw } no nearer to the holes ({ $share } N each), or a cut with { $most } N·m at most instead of { $torque } N·m
 clamp-outlines-overlap = the clamps at { $one } and { $other } overlap by their outlines; put them apart, or correct `outline`
 clamps-overlap = two clamps { $distance } mm apart: their feet overlap, each takes { $least } mm; give their `outline` if they are narrower
 one-clamp-turns = one clamp: hole { $hole } turns the part about it with { $moment } N·m (with the safety factor), and nothing holds that; a second clamp at least { $least } mm away, or a stop there, does

@@ -31,7 +31,13 @@ impl<'a, 'k> BackwardStep<'a, 'k> {
         match previous {
             None => chain(self.start()?),
             Some(Operation::Drill | Operation::DrillOut) => {
-                let widest = drills().next().ok_or_else(|| {
+                // The widest from which equal passes within the allowance lead to the size, where there is one.
+                let whole = |drill: &Micrometres| {
+                    let stock = (after - *drill).to_mm();
+                    let least = libm::ceil(stock / allowance.high.to_mm().max(0.001) - 1e-9).max(1.0);
+                    stock / least >= allowance.low.to_mm() - 1e-9
+                };
+                let widest = drills().find(whole).or_else(|| drills().next()).ok_or_else(|| {
                     let smallest = sizes.smallest_bore;
                     Refusal::Not(Reason::NoDrillBeforeBoring { diameter: after, largest, smallest })
                 })?;
