@@ -104,16 +104,19 @@ pub(super) fn check_geometry(groups: &[Group], blank: &Blank, datum: &Datum, pro
     slots_apart(groups, problems);
 }
 
-/// Both ends of a slot inside the blank.
+/// Both ends of a slot and all corners of a pocket inside the blank.
 fn slot_inside(group: &Group, blank: &Blank, datum: &Datum, problems: &mut Problems) {
     let Some(width) = group.widest() else { return };
-    for (way, place) in group.ways() {
-        let out =
-            [way.from, way.to].into_iter().find(|end| reaches_out(*end, width.half() - way.thinner, blank, datum));
-        if let Some(end) = out {
-            let message = note!("part-slot-inside-blank", name = group.label(), width = width, x = end.x, y = end.y);
-            problems.error_help::<()>("outside-blank", message, place, extent(blank, datum));
-        }
+    let ends = group.ways().flat_map(|(way, place)| [way.from, way.to].map(|end| (end, way.thinner, place)));
+    let mut out = ends.filter(|(end, thinner, _)| reaches_out(*end, width.half() - *thinner, blank, datum));
+    if let Some((end, thinner, place)) = out.next() {
+        let message = match thinner {
+            Micrometres::ZERO => {
+                note!("part-slot-inside-blank", name = group.label(), width = width, x = end.x, y = end.y)
+            }
+            _ => note!("part-pocket-inside-blank", name = group.label(), x = end.x, y = end.y),
+        };
+        problems.error_help::<()>("outside-blank", message, place, extent(blank, datum));
     }
 }
 

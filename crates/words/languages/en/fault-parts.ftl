@@ -26,6 +26,7 @@ part-slot-is-a-hole = slot { $name }: as long as it is wide, { $width } mm, it i
 part-slot-length-over-all = `length` is over all, with both end radii, and `from` and `to` are their middles; a round opening belongs to `holes`
 part-slot-runs-somewhere = say where it runs: `from` and `to`, the middles of its end radii, or `centre`, `length` over all and `angle`
 part-slot-run-said-twice = where the slot runs is said both by `from` and `to` and by `{ $key }`
+part-pocket-inside-blank = pocket { $name }: its corner about [{ $x }, { $y }] is not inside the blank
 part-pocket-corner = a corner of { $corner } mm takes all of a pocket that is { $width } mm wide
 part-pocket-is-a-slot = `corner` is less than half of `width`; a slot with round ends has none
 part-pocket-has-no-end-radii = a pocket, which has `corner`, has no end radii: `from` and `to` say nothing of it

@@ -99,7 +99,7 @@ chamfered-by-centring = centring makes the chamfer here: a step drill has nothin
 chamfer-in-countersink = a chamfer of { $chamfer } mm and a countersink at the same edge: keep one of them
 promised = the scheme table promises grade { $it }; by A.1 this chain gives { $own }
 no-drill-so-large = a drill Ø{ $diameter } > Ø{ $limit }, the largest the machine takes
-no-mill-enters = no end mill enters the hole Ø{ $hole } with { $clearance } mm of room; the smallest is Ø10
+no-mill-enters = no end mill of the tables enters a width of { $hole } mm with { $clearance } mm of room
 no-tap = no tap { $thread } in the { $tables-count ->
         [1] table
        *[other] tables

@@ -26,6 +26,7 @@ part-slot-is-a-hole = паз { $name }: завдовжки як завширшк
 part-slot-length-over-all = `length` – повна довжина, разом з обома кінцевими радіусами, а `from` і `to` – їхні центри; круглий отвір пишіть у `holes`
 part-slot-runs-somewhere = скажіть, де він лежить: `from` і `to`, центри його кінцевих радіусів, або `centre`, повна довжина `length` і `angle`
 part-slot-run-said-twice = де лежить паз, кажуть і `from` з `to`, і `{ $key }`
+part-pocket-inside-blank = кишеня { $name }: її кут коло [{ $x }, { $y }] лежить поза заготовкою
 part-pocket-corner = кути радіусом { $corner } мм забирають усю кишеню завширшки { $width } мм
 part-pocket-is-a-slot = `corner` менший за половину `width`; паз із круглими кінцями його не має
 part-pocket-has-no-end-radii = кишеня з `corner` не має радіусів на кінцях: `from` і `to` про неї нічого не кажуть

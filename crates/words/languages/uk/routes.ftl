@@ -99,7 +99,7 @@ chamfered-by-centring = фаску тут знімає центрування: �
 chamfer-in-countersink = фаска { $chamfer } мм і зенківка на тому самому краї: лишіть одну
 promised = таблиця схем обіцяє квалітет { $it }; за A.1 цей ланцюг дає { $own }
 no-drill-so-large = свердло Ø{ $diameter } > Ø{ $limit }, найбільшого для верстата
-no-mill-enters = жодна кінцева фреза не входить в отвір Ø{ $hole } із зазором { $clearance } мм; найменша Ø10
+no-mill-enters = жодна кінцева фреза таблиць не входить в отвір завширшки { $hole } мм із зазором { $clearance } мм
 no-tap = немає мітчика { $thread } у { $tables-count ->
         [1] таблиці
        *[other] таблицях
