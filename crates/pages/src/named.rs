@@ -20,7 +20,7 @@ pub fn named(page: Document, knowledge: &Knowledge, lang: Lang) -> Document {
 
 /// A table by its title, with the id that the command line knows it by; of the textbook's by its number alone.
 pub(crate) fn titled(id: &str, knowledge: &Knowledge, lang: Lang) -> String {
-    match (lang.find("table-letter").filter(|_| id.contains('-')), knowledge.table(id)) {
+    match (lang.find("table-letter").filter(|_| !id.starts_with(NUMBERED)), knowledge.table(id)) {
         (Some(_), Ok(table)) => format!("{} `{id}`", lang.called(table.title.text(lang.tag()))),
         _ => id.to_owned(),
     }
@@ -30,11 +30,14 @@ pub(crate) fn titled(id: &str, knowledge: &Knowledge, lang: Lang) -> String {
 fn worded(text: &str, letter: &str, knowledge: &Knowledge, lang: Lang) -> Option<String> {
     let mut told = String::new();
     let mut kept = 0;
+    // An id of one word may be a word of the text, unless that speaks of tables: the word for one, less its ending.
+    let table = lang.word("plan-table").to_lowercase();
+    let stem = table.char_indices().next_back().map_or("", |(end, _)| &table[..end]);
+    let of_tables = text.to_lowercase().contains(stem);
     for (at, word) in words(text) {
         let name = match word.strip_prefix(NUMBERED) {
             Some(number) if number.starts_with(|first: char| first.is_ascii_digit()) => format!("{letter}.{number}"),
-            // An id of one word may be a word of the text.
-            None if word.contains('-') => match knowledge.table(word) {
+            None if word.contains('-') || (of_tables && word.len() > 3) => match knowledge.table(word) {
                 Ok(table) => lang.called(table.title.text(lang.tag())),
                 Err(_) => continue,
             },
