@@ -86,20 +86,18 @@ impl<'n, T: Clone> Names<'n, T> {
         {
             return NameMatch::Found(value.clone());
         }
-        let mut lost: Vec<(&T, &str)> = Vec::new();
+        // A tail long enough to distinguish designations.
+        let is_tail = |other: &[char]| wanted.len() >= 6 && other.len() > wanted.len() && other.ends_with(&wanted);
+        let mut lost = self.all.iter().filter(|(value, _, other)| is_tail(other) && may_be(value));
+        if let (Some((value, known, _)), None) = (lost.next(), lost.next()) {
+            return NameMatch::Meant(value.clone(), (*known).to_owned());
+        }
         let mut best: Option<(usize, &str)> = None;
-        for (value, known, other) in self.all.iter().filter(|(value, ..)| may_be(value)) {
+        for (_, known, other) in self.all.iter().filter(|(value, ..)| may_be(value)) {
             let most = best.map_or(Some(3), |(least, _)| least.checked_sub(1));
             if let Some(away) = most.and_then(|most| distance_within(&wanted, other, most)) {
                 best = Some((away, known));
             }
-            // A tail long enough to distinguish designations.
-            if wanted.len() >= 6 && other.len() > wanted.len() && other.ends_with(&wanted) {
-                lost.push((value, known));
-            }
-        }
-        if let [(value, known)] = lost[..] {
-            return NameMatch::Meant(value.clone(), known.to_owned());
         }
         NameMatch::Unknown(best.map(|(_, known)| known.to_owned()))
     }
@@ -189,18 +187,24 @@ fn distance_within(a: &[char], b: &[char], most: usize) -> Option<usize> {
     if a.len().abs_diff(b.len()) > most {
         return None;
     }
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    let mut above: Vec<usize> = Vec::new();
+    // What both begin and end with alike costs nothing, and leaves little to compare.
+    let same = a.iter().zip(b).take_while(|(a, b)| a == b).count();
+    let (a, b) = (&a[same..], &b[same..]);
+    let same = a.iter().rev().zip(b.iter().rev()).take_while(|(a, b)| a == b).count();
+    let (a, b) = (&a[..a.len() - same], &b[..b.len() - same]);
+    let [mut before, mut above, mut row] = [Vec::new(), Vec::new(), (0..=b.len()).collect::<Vec<usize>>()];
     for (i, sign) in a.iter().enumerate() {
-        let before = std::mem::replace(&mut above, row.clone());
-        row[0] = i + 1;
+        std::mem::swap(&mut before, &mut above);
+        std::mem::swap(&mut above, &mut row);
+        row.clear();
+        row.push(i + 1);
         for (j, other) in b.iter().enumerate() {
             let changed = above[j] + usize::from(sign != other);
             let mut least = changed.min(row[j] + 1).min(above[j + 1] + 1);
             if i > 0 && j > 0 && *sign == b[j - 1] && a[i - 1] == *other {
                 least = least.min(before[j - 1] + 1);
             }
-            row[j + 1] = least;
+            row.push(least);
         }
         // No path through these rows gets shorter.
         if row.iter().chain(&above).min().is_none_or(|least| *least > most) {

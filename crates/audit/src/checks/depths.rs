@@ -95,18 +95,25 @@ pub(super) fn check<'a>(
     Ok(())
 }
 
-/// A tool is fed at least as far as its transition is deep; what comes before and behind it is a choice.
+/// A tool is fed at least as far as its transition is deep; what comes before and behind it is a choice. In a hole that is wider at its
+/// mouth it may begin lower.
 fn travels(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFinding>) {
-    for (at, conditions) in context.stated.conditions.iter().enumerate().filter(|(_, own)| !own.rounds) {
+    let by_hand = context.stated.conditions.iter().enumerate().filter(|(_, own)| !own.rounds && !context.stated.is_own);
+    for (at, conditions) in by_hand {
         let id = Id::new(Scope::Conditions(at), Q::Travel);
         let is_slip = graph.verdict(id).is_some_and(|verdict| verdict.status != Status::Fine);
         let Some(figure) = conditions.figures.get(&Q::Travel).filter(|_| !is_slip) else { continue };
         let depths = conditions.rows.iter().filter_map(|row| {
             let own = context.stated.rows.get(*row)?;
-            let simple = own.of_main_cylinder() && !own.operation.value.is_of_edge() && own.step.is_none();
-            let bores =
-                simple && !matches!(own.operation.value, Operation::CentreDrill | Operation::Mill | Operation::Tap);
-            graph.stated_or_right(Id::new(Scope::Row(*row), Q::Depth)).filter(|_| bores)
+            let hole = context.hole(own)?;
+            let plain = hole.steps.is_empty() && hole.cone.is_none() && hole.thread.is_none();
+            let plain = plain && hole.counterbore.is_none() && hole.countersink.is_none();
+            let bores = plain
+                && own.of_main_cylinder()
+                && !matches!(own.operation.value, Operation::CentreDrill | Operation::Mill | Operation::Tap);
+            // A depth beyond the drawing is told by itself.
+            let depth = graph.stated_or_right(Id::new(Scope::Row(*row), Q::Depth)).filter(|_| bores);
+            depth.map(|depth| depth.min(hole.depth.to_mm()))
         });
         let Some(deepest) = depths.reduce(f64::max).filter(|depth| figure.value < *depth - 1e-6) else { continue };
         let note = Note::new("audit-travel-short").with("depth", note::Figure::number(shown(deepest)));

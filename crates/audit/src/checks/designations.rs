@@ -1,5 +1,7 @@
 //! Whether designations exist, and agree with the standards, shanks and tables stated for them.
 
+use std::collections::BTreeSet;
+
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::note::{Because, Figure, Note, Severity};
@@ -159,23 +161,19 @@ fn standard(
     let found = match reported.row.table.standard.as_deref() {
         // There is nothing to compare it with.
         None => finding(Severity::Note, Note::new("audit-standard-unchecked").with("standard", &standard.value)),
-        // The standard of other tools is no misprint.
         Some(right) => match likeness(&standard.value, right) {
             Likeness::Same => return Ok(()),
-            Likeness::Misread if is_of_others(context, &standard.value) => {
-                let note = Note::new("audit-standard-other").with("standard", &standard.value).with("known", right);
-                finding(Severity::Wrong, note).with_values(&standard.value, right)
-            }
             Likeness::Misread if printed(context, &standard.value, right)? => {
                 let note = Note::new("audit-standard-printed").with("standard", &standard.value).with("known", right);
                 finding(Severity::Note, note).with_values(&standard.value, right)
             }
-            Likeness::Misread => {
+            // The standard of other tools is no misprint.
+            Likeness::Misread if !is_of_others(context, &standard.value) => {
                 let note =
                     Note::new("audit-standard-misprinted").with("standard", &standard.value).with("known", right);
                 finding(Severity::Wrong, note).with_values(&standard.value, right)
             }
-            Likeness::Other => {
+            Likeness::Misread | Likeness::Other => {
                 let note = Note::new("audit-standard-other").with("standard", &standard.value).with("known", right);
                 finding(Severity::Wrong, note).with_values(&standard.value, right)
             }
@@ -187,8 +185,9 @@ fn standard(
 
 /// Whether a catalog of cutters goes by that standard.
 fn is_of_others(context: &Context<'_>, written: &str) -> bool {
-    let mut standards = context.auditor.cutters.values().filter_map(|cutter| cutter.row.row.table.standard.as_deref());
-    standards.any(|known| likeness(written, known) == Likeness::Same)
+    let standards = context.auditor.cutters.values().filter_map(|cutter| cutter.row.row.table.standard.as_deref());
+    let distinct: BTreeSet<&str> = standards.collect();
+    distinct.into_iter().any(|known| likeness(written, known) == Likeness::Same)
 }
 
 /// Dimensions that do not belong to the designation but all belong to another one: then the designation is wrong.

@@ -47,11 +47,13 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
             graph.add(equal_figures(&DIAMETER, Id::new(scope, Q::Diameter), Id::new(Scope::Tool(tool), Q::Diameter)));
         }
         if !row.opens_main_cylinder() {
-            // A counterbore widens what is there, as far as it goes.
+            // A counterbore widens what came last, where nothing else is stated; in a stepped hole that may be another cylinder.
             let widens = |own: &Row| own.opens_main_cylinder() || own.operation.value == Operation::Counterbore;
             let before = stated.rows_of_hole(&hole.name).take_while(|(other, _)| *other < at);
             if let Some((before, _)) = before.filter(|(_, own)| widens(own)).last()
                 && row.operation.value == Operation::Counterbore
+                && hole.steps.is_empty()
+                && stated.figure(Id::new(scope, Q::From)).is_none()
             {
                 let own = Id::new(Scope::Row(before), Q::Diameter);
                 graph.add(equal_figures(&FROM, Id::new(scope, Q::From), own));

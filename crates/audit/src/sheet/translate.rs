@@ -49,12 +49,22 @@ fn gather(entries: &mut Vec<(Key, Node)>, of: Of, columns: &[Column], place: &Pl
         _ => return,
     };
     let inner = inner.columns();
-    let is_inner = |key: &Key| {
+    // `holder: T1` is the holder of another tool, anything else its number.
+    let is_place = |text: &str| text.trim_start_matches(['T', 'Т']).parse::<u32>().is_ok_and(|number| number < 1000);
+    let is_inner = |(key, value): &(Key, Node)| {
         let called = |columns: &[Column]| columns.iter().any(|column| column.is_called(&key.text, true));
-        !key.text.is_ascii() && !called(columns) && called(&inner)
+        let outer = columns.iter().find(|column| column.is_called(&key.text, true));
+        let is_number =
+            || outer.is_some_and(|outer| outer.key == name) && value.text().is_some_and(|own| !is_place(own));
+        !key.text.is_ascii() && (outer.is_none() && called(&inner) || is_number())
     };
-    if entries.iter().any(|(key, _)| is_inner(key)) && !entries.iter().any(|(key, _)| key.text == name) {
-        let (own, rest) = std::mem::take(entries).into_iter().partition(|(key, _)| is_inner(key));
+    if entries.iter().any(is_inner) && !entries.iter().any(|(key, _)| key.text == name) {
+        let (mut own, rest): (Vec<_>, Vec<_>) = std::mem::take(entries).into_iter().partition(is_inner);
+        for (key, _) in &mut own {
+            if columns.iter().any(|column| column.key == name && column.is_called(&key.text, true)) {
+                key.text = "designation".to_owned();
+            }
+        }
         *entries = rest;
         entries.push(entry(name, map(own, place)));
     }
