@@ -136,8 +136,8 @@ impl Active {
         let (lead, first, last) = (self.pieces.get(at)?, self.pieces.get(at + 1)?, self.pieces.get(back)?);
         let (out, inwards) = (first.direction(false), last.direction(true));
         let flat = |piece: &Piece| piece.z.iter().all(|z| (z - first.z[0]).abs() < NEAR);
-        // At a corner the way may come past the metal.
-        if out[0] * inwards[0] + out[1] * inwards[1] < SMOOTH {
+        // At a corner the way may come past the metal, and what still goes down may begin above it.
+        if out[0] * inwards[0] + out[1] * inwards[1] < SMOOTH || !flat(first) || !flat(last) {
             return None;
         }
         let told = |code: &'static str, piece: &Piece| Some((code, piece.span, piece.block, Note::new(code)));
