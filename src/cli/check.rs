@@ -209,7 +209,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 }
 
 /// The most findings of one kind that are told one by one.
-const MOST_OF_A_KIND: usize = 3;
+pub(super) const MOST_OF_A_KIND: usize = 3;
 /// The most lines that are named of a group.
 const MOST_LINES: usize = 8;
 
@@ -245,13 +245,18 @@ fn groups<'a>(faults: &'a [Fault], context: &Context) -> Vec<(&'a Fault, Vec<u32
 
 /// A finding with the lines of those that it stands for.
 fn of_group(fault: &Fault, others: &[u32], file: &Arc<str>, context: &Context) -> Diagnostic {
+    said(fault, more_of_a_kind(others, context.lang), file, context)
+}
+
+/// How many more there are of a kind, and in which lines; none if there are none.
+pub(super) fn more_of_a_kind(others: &[u32], lang: Lang) -> Option<String> {
     let mut lines: Vec<u32> = others.to_vec();
     lines.dedup();
     let dots = if lines.len() > MOST_LINES { ", …" } else { "" };
     let named: Vec<String> = lines.iter().take(MOST_LINES).map(ToString::to_string).collect();
     let lines = format!("{}{dots}", named.join(", "));
-    let more = say!(context.lang, "check-more-of-a-kind", count = others.len(), lines = lines);
-    said(fault, Some(more).filter(|_| !others.is_empty()), file, context)
+    let more = || say!(lang, "check-more-of-a-kind", count = others.len(), lines = lines);
+    (!others.is_empty()).then(more)
 }
 
 /// Makes sure that a program that a mill's control finds wrong is none of a lathe.

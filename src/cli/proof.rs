@@ -7,10 +7,12 @@ use serde::Serialize;
 use technolog::document::{Column, Inlines, Table};
 use technolog::knowledge::{Diagnostic, Place, Severity};
 use technolog::note;
-use technolog::program::proof::{MadeStop, MissingStop, PlannedJob, ProgramFinding, Proof, SuperfluousCut};
+use technolog::program::proof::{Code, MadeStop, MissingStop, PlannedJob, ProgramFinding, Proof, SuperfluousCut};
 use technolog::report;
 use technolog::report::backplot::Frame;
 
+use super::check::{MOST_OF_A_KIND, more_of_a_kind};
+use super::diagnostics::Amount;
 use super::{Context, Lang};
 
 /// The answer in JSON.
@@ -106,10 +108,36 @@ pub fn answer<'a>(proof: &'a Proof, context: &Context) -> Answer<'a> {
     }
 }
 
+/// The findings to tell, each with the lines of others that it stands for: of many of a kind the first is told, unless all are
+/// asked for. What is not made each hole has to know for itself.
+fn groups<'a>(proof: &'a Proof, context: &Context) -> Vec<(&'a ProgramFinding, Vec<u32>)> {
+    let kind = |finding: &ProgramFinding| (finding.code, finding.severity, finding.tool());
+    let mut count: BTreeMap<_, usize> = BTreeMap::new();
+    proof.findings.iter().for_each(|finding| *count.entry(kind(finding)).or_default() += 1);
+    let grouped = |finding: &ProgramFinding| {
+        let many = count.get(&kind(finding)).is_some_and(|of| *of > MOST_OF_A_KIND);
+        many && context.amount != Amount::All && finding.code != Code::NotMade
+    };
+    let mut groups: Vec<(&ProgramFinding, Vec<u32>)> = Vec::new();
+    let mut first = BTreeMap::new();
+    for finding in &proof.findings {
+        match first.get(&kind(finding)).and_then(|index: &usize| groups.get_mut(*index)) {
+            Some((_, others)) => others.extend(finding.block.map(|block| block.line)),
+            None => {
+                if grouped(finding) {
+                    first.insert(kind(finding), groups.len());
+                }
+                groups.push((finding, Vec::new()));
+            }
+        }
+    }
+    groups
+}
+
 /// The findings with their lines.
 pub fn diagnostics(proof: &Proof, text: &str, file: &Arc<str>, context: &Context) -> Vec<Diagnostic> {
     let lines: Vec<&str> = text.lines().collect();
-    let one = |finding: &ProgramFinding| {
+    let one = |(finding, others): (&ProgramFinding, Vec<u32>)| {
         let place = finding.block.map(|block| {
             let line = usize::try_from(block.line).ok().and_then(|line| lines.get(line.checked_sub(1)?));
             let width = line.map_or(1, |line| line.trim_end().chars().count().max(1));
@@ -120,9 +148,11 @@ pub fn diagnostics(proof: &Proof, text: &str, file: &Arc<str>, context: &Context
             Some(number) => format!("N{number}: {sentence}"),
             None => sentence,
         };
+        let more = more_of_a_kind(&others, context.lang).map(|more| format!(" ({more})")).unwrap_or_default();
+        let message = message + &more;
         let severity = shown(finding.severity);
         let help = context.lang.remedy(&finding.note);
         Diagnostic { severity, code: finding.code.name(), message: message.into(), place, help: help.map(Into::into) }
     };
-    proof.findings.iter().map(one).collect()
+    groups(proof, context).into_iter().map(one).collect()
 }

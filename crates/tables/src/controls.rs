@@ -67,6 +67,10 @@ vocabulary! {
         PeckMost = "peck-most",
         /// How far the feed of a tap may be off the pitch of a thread, as a part of it.
         TapFeedNear = "tap-feed-near",
+        /// How many times the feed of the cuts beside it a feed may be.
+        FeedBesideMost = "feed-beside-most",
+        /// How far around its cuts a program has made room, mm.
+        CutsAround = "cuts-around",
         /// The time to put a tool into the magazine by hand, min.
         LoadToolTime = "load-tool-time",
         /// The time to set the bar of a boring tool to a diameter, min.
@@ -85,7 +89,8 @@ impl Convention {
             | Self::ObstacleSide
             | Self::SupportRoom
             | Self::KneeStep
-            | Self::PeckMost => "mm",
+            | Self::PeckMost
+            | Self::CutsAround => "mm",
             Self::FeedStep => "mm/min",
             Self::DwellStep | Self::DwellInHoleMost | Self::DwellLeast | Self::DwellMost => "s",
             Self::LoadToolTime | Self::SetBarTime | Self::TurnOverTime => "min",
@@ -94,7 +99,8 @@ impl Convention {
             | Self::SpotOverload
             | Self::Overlong
             | Self::DwellTurnsLeast
-            | Self::TapFeedNear => "1",
+            | Self::TapFeedNear
+            | Self::FeedBesideMost => "1",
         }
     }
 }

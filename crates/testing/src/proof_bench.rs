@@ -120,7 +120,7 @@ impl ProofBench {
             start: self.setting.start,
             tolerated: self.tolerated,
             tap_word: tap_word.as_deref(),
-            change_stops_spindle: language.change_stops_spindle(),
+            turning_at_change: language.turning_at_change(),
             own_correctors: self.own_correctors,
         };
         let proof = prove(&steps, &input);

@@ -99,7 +99,7 @@ fn every_rule_is_broken_by_some_program() {
         seen.push_str(&fs::read_to_string(entry.unwrap().path().join("expected")).unwrap_or_default());
     }
     // The last one only where nothing is said of what ran before: `a_program_alone_sets_the_modes_that_it_relies_on`.
-    seen.push_str("memory-full too-many-programs habit-left-over machine-needed");
+    seen.push_str("memory-full too-many-programs habit-left-over machine-needed limit-not-checked");
     // The rows of the page's table of rules begin with the code.
     let rules: Vec<&str> = page.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next()).collect();
     assert!(rules.len() > 50, "the page names {} rules", rules.len());
@@ -263,6 +263,42 @@ fn a_machine_that_nobody_names_is_none() {
     // Without any machine 2С42-65 is not run: its limits are those of one.
     let faults = CONTROL.check("N1 M02", None, &Setting::default(), &mut Trace::default());
     assert_eq!(faults.iter().map(|fault| fault.code).collect::<Vec<_>>(), ["machine-needed"]);
+}
+
+/// Zeros and lengths that only the plan assumes, and a machine that nobody has named, cost no block: what is not checked is said
+/// once.
+#[test]
+fn a_limit_that_nobody_has_stated_is_not_checked() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("not-checked");
+    fs::create_dir_all(&folder).unwrap();
+    let file = |name: &str, text: &str| {
+        let path = folder.join(name);
+        fs::write(&path, text).unwrap();
+        path.display().to_string()
+    };
+    let (_, written) = technolog(&["program", "examples/plate.yaml", "--control", "fanuc"]);
+    // 60 mm higher: the longest tool would stand over the zero of the machine.
+    let higher = file("higher.nc", &written.replace("Z40.0 H", "Z100.0 H"));
+    let part = ["check", &higher, "--control", "fanuc", "--part", "examples/plate.yaml", "--lang", "en"];
+    let (code, text) = technolog(&part);
+    assert_eq!(code, Some(0), "{text}");
+    assert_eq!(text.matches("limit-not-checked").count(), 1, "{text}");
+    assert!(text.contains("6/6") && !text.contains("beyond-travel-of"), "{text}");
+    let stated = "zeros:\n  G54: {x: 0, y: 0, z: -150}\ncorrectors: {1: 130, 2: 130, 3: 130}\n";
+    let setting = file("setting.yaml", stated);
+    let (code, text) = technolog(&[&part[..], &["--setting", &setting]].concat());
+    assert_eq!(code, Some(1), "{text}");
+    assert!(text.contains("error[beyond-travel-of]: N35: axis Z moves to 80 mm"), "{text}");
+
+    let high = ":01\nN1 G17 G40 G49 G80 G90 G54 T1 M06\nN2 G00 X0 Y0 S9000 M03\nN3 G43 H1 Z280\nN4 G01 Z-20 F100\nN5 G00 Z280\nN6 M05\nN7 M02\n";
+    let high = file("high.nc", high);
+    let old = ["check", &high, "--control", "2c42-65", "--lang", "en"];
+    let (code, text) = technolog(&old);
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("travels: not checked") && text.contains("spindle speeds: not checked"), "{text}");
+    let (code, text) = technolog(&[&old[..], &["--machine", "gf2171"]].concat());
+    assert_eq!(code, Some(1), "{text}");
+    assert!(text.contains("span-beyond-travel") && text.contains("speed-beyond-machine"), "{text}");
 }
 
 /// Behind the last number stands the first, and that may be the program of another part.

@@ -45,8 +45,8 @@ fn altered(text: &str, right: &str) -> usize {
     1 + text.lines().zip(right.lines()).take_while(|(now, before)| now == before).count()
 }
 
-/// Whether no hand comes near a spindle that turns: at every stop it stands, and every change of tool finds it at rest or stops
-/// it itself.
+/// Whether no hand comes near a spindle that turns: at every stop it stands, and every change of tool finds it at rest, stops it
+/// itself or does so on most machines.
 fn stands_at_stops(language: &Language, steps: &[MotionStep]) -> bool {
     let mut turning = Turning::Stopped;
     steps.iter().all(|step| match &step.motion {
@@ -54,7 +54,7 @@ fn stands_at_stops(language: &Language, steps: &[MotionStep]) -> bool {
             turning = *now;
             true
         }
-        Motion::ToolChange { .. } => turning == Turning::Stopped || language.change_stops_spindle(),
+        Motion::ToolChange { .. } => turning == Turning::Stopped || language.turning_at_change() > Severity::Wrong,
         Motion::Stop { .. } => turning == Turning::Stopped,
         _ => true,
     })

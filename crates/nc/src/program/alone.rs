@@ -12,7 +12,9 @@ use crate::knowledge::Knowledge;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning};
 use crate::note::Note;
 use crate::program::Setting;
+use crate::program::named::Names;
 use crate::tables::controls::Convention;
+use crate::tables::standards::CoarseThread;
 use crate::tables::turning::jobs::ThreadRunOut;
 use crate::units::Micrometres;
 
@@ -31,6 +33,12 @@ pub(super) struct Habits {
     tap_near: f64,
     /// The pitches of metric threads, mm.
     pitches: Vec<f64>,
+    /// Sizes and pitches of coarse metric threads, mm.
+    pub coarse: Vec<(f64, f64)>,
+    /// How many times the feed of the cuts beside it a feed may be.
+    pub feed_beside: f64,
+    /// How far around its cuts a program has made room, mm.
+    pub cuts_around: f64,
     /// Whether a tool from the magazine needs a length offset even where it is the only one.
     by_offset: bool,
     /// The feed and the speed that act, as parts of those written: by the operator's switches.
@@ -51,6 +59,9 @@ impl Habits {
             peck_mm: figure(Convention::PeckMost)?,
             tap_near: figure(Convention::TapFeedNear)?,
             pitches: knowledge.rows::<ThreadRunOut<'_>>()?.into_iter().map(|row| row.pitch.to_mm()).collect(),
+            coarse: knowledge.rows::<CoarseThread<'_>>()?.into_iter().filter_map(|row| size(&row)).collect(),
+            feed_beside: figure(Convention::FeedBesideMost)?,
+            cuts_around: figure(Convention::CutsAround)?,
             by_offset: false,
             overrides: (1.0, 1.0),
         })
@@ -74,6 +85,11 @@ impl Habits {
     pub fn peck_most(&self) -> i64 {
         libm::round(self.peck_mm * 1e6) as i64
     }
+}
+
+/// The size of a coarse thread and its pitch, mm.
+fn size(row: &CoarseThread<'_>) -> Option<(f64, f64)> {
+    Some((row.thread.strip_prefix('M')?.parse().ok()?, row.pitch.to_mm()))
 }
 
 /// The offset that acts: its register, none where the program gives the value, and what it adds.
@@ -110,6 +126,7 @@ pub(super) type Told = (BlockRef, &'static str, Note);
 #[derive(Clone, Debug)]
 pub(super) struct Watch {
     habits: Habits,
+    names: Names,
     at: Position,
     /// The last motion where it was a feed straight down.
     down: Option<Down>,
@@ -129,9 +146,10 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    pub const fn new(habits: Habits) -> Self {
+    pub const fn new(habits: Habits, names: Names) -> Self {
         Self {
             habits,
+            names,
             at: Position { x: Micrometres::ZERO, y: Micrometres::ZERO, z: Micrometres::ZERO },
             down: None,
             backwards: None,
@@ -225,6 +243,12 @@ impl Watch {
         let pitch = feed / speed;
         let Habits { tap_near, pitches, .. } = &self.habits;
         let near = |known: f64| (pitch / known - 1.0).abs() <= *tap_near;
+        let named = self.names.threads(self.tool);
+        if let Some(thread) = named.first().filter(|_| !named.iter().any(|thread| near(thread.pitch))) {
+            let note = Note::new("tap-pitch-named").with("pitch", crate::units::round_to(pitch, 3));
+            let note = note.with("thread", thread.name.clone()).with("needed", thread.pitch).with("tool", self.tool);
+            return self.tell(block, "tap-pitch-named", note);
+        }
         // Inch threads have a whole number of turns to the inch, the finest of them 80, a few of them a half more.
         let halves = libm::round(2.0 * 25.4 / pitch);
         let inches = halves <= 160.0 && (halves % 2.0 == 0.0 || [9.0, 23.0].contains(&halves));

@@ -63,6 +63,11 @@ impl Registers {
         }
     }
 
+    /// Whether a register has been the length of a tool.
+    pub(super) fn is_length(&self, register: u32) -> bool {
+        self.used.iter().any(|(_, used)| *used == register)
+    }
+
     /// A register begins to act: whether it is that of a tool not brought. What is open is known later.
     pub(super) fn takes(&mut self, register: u32, named: Named, span: TextSpan, block: Option<u32>) -> bool {
         let owner = self.owner(register, named);

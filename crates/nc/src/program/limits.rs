@@ -26,13 +26,12 @@ pub(super) fn not_checked(what: &'static str) -> Note {
     Note::new(NOT_CHECKED).with("what", what.to_owned()).with("why", "machine".to_owned())
 }
 
-/// Which limit of the machine a rule holds a program to, if any.
+/// Which limit of the machine costs a block that breaks this rule, if any.
 pub(super) fn of_machine(code: &str) -> Option<&'static str> {
     Some(match code {
         "feed-beyond-machine" => "feed",
-        "speed-beyond-machine" | "no-spindle-step" => "speed",
+        "speed-beyond-machine" => "speed",
         "cannot-tap" => "tap",
-        "tool-beyond-magazine" => "magazine",
         "beyond-travel-of" | "span-beyond-travel" => "travel",
         _ => return None,
     })

@@ -6,14 +6,17 @@
 //! interpreter reports [`Fault`]s: data, independent of language. [`setting`] is what the operator sets before a run.
 
 mod alone;
+mod below;
 mod block;
 mod brought;
+mod contour;
 pub mod control_2c42_65;
 mod expression;
 pub mod iso;
 pub mod lathe;
 mod left_over;
 mod limits;
+mod named;
 pub mod proof;
 mod running;
 pub mod seen;
@@ -41,8 +44,6 @@ use written::{Form, WrittenProgram};
 
 /// The name of 2С42-65.
 const OLD: &str = "2c42-65";
-/// The machine of its description (docs/control-2c42-65.md).
-const OLD_STANDS_ON: &str = "gf2171";
 
 /// The language of a control, read from its tables.
 #[derive(Clone, Debug)]
@@ -100,9 +101,12 @@ impl Language {
         control.tap_word()
     }
 
-    /// Whether its tool change stops the spindle itself, by its record.
-    pub fn change_stops_spindle(&self) -> bool {
-        matches!(self, Self::Iso(control) if control.change_stops_spindle())
+    /// How grave a tool change is to which the spindle turns: by its record the change stops it, or may do so.
+    pub fn turning_at_change(&self) -> Severity {
+        match self {
+            Self::Control2c42(_) => Severity::Wrong,
+            Self::Iso(control) => control.turning_at_change(),
+        }
     }
 
     /// The program of a job.
@@ -118,16 +122,16 @@ impl Language {
     pub fn warned(&self, written: WrittenProgram, reason: &str) -> WrittenProgram {
         let reason = format!("DO NOT RUN: {}", technolog_core::ascii::ascii(reason));
         match self {
-            Self::Control2c42(_) => written.warned(format!("% {reason}"), true),
+            Self::Control2c42(control) => written.warned(format!("{} {reason}", control.tape_start()), true),
             Self::Iso(control) => written.warned(format!("({reason})"), control.reads_from_sign()),
         }
     }
 
     /// The machine that is meant where nobody names one: of 2С42-65 that on which its description has it. The other controls
     /// stand on machines of every kind, so none is meant.
-    pub const fn own_machine(&self) -> Option<&'static str> {
+    pub fn own_machine(&self) -> Option<&str> {
         match self {
-            Self::Control2c42(_) => Some(OLD_STANDS_ON),
+            Self::Control2c42(control) => Some(control.described_on()),
             Self::Iso(_) => None,
         }
     }

@@ -4,7 +4,10 @@
 use std::collections::BTreeSet;
 
 use super::alone::{Habits, Watch};
+use super::below::Below;
+use super::contour::Contour;
 use super::limits::{NOT_CHECKED, Spans, without_zero};
+use super::named::Names;
 use super::setting::Assumed;
 use super::{Call, Fault, TextSpan, stay};
 use crate::motion::{MotionStep, Sink};
@@ -26,6 +29,16 @@ pub(super) enum BlockOutcome {
     Out,
 }
 
+/// What of a run its blocks are watched by.
+pub(super) struct Watched {
+    /// What comments say of the tools.
+    pub names: Names,
+    /// The contour beside which the control goes.
+    pub contour: Contour,
+    /// What is done below the zero.
+    pub below: Below,
+}
+
 /// A run, apart from the language.
 pub(super) struct Running<'a, S> {
     sink: &'a mut S,
@@ -37,6 +50,7 @@ pub(super) struct Running<'a, S> {
     pub calls: Vec<Call>,
     /// The range of axes without a zero.
     pub spans: Spans,
+    pub watched: Watched,
     watch: Watch,
     budget: usize,
     /// How many blocks and steps may still be carried out.
@@ -45,10 +59,13 @@ pub(super) struct Running<'a, S> {
 
 impl<'a, S: Sink> Running<'a, S> {
     /// At the beginning of a program.
-    pub fn new(sink: &'a mut S, breach: NewFault, habits: Habits, budget: usize) -> Self {
+    pub fn new(sink: &'a mut S, breach: NewFault, habits: Habits, text: &str, budget: usize) -> Self {
         let (reported, faults, calls, spans) = (BTreeSet::new(), Vec::new(), Vec::new(), Spans::new());
-        let watch = Watch::new(habits);
-        Self { sink, breach, reported, faults, calls, spans, watch, budget, left: budget }
+        let names = Names::read(text, &habits.coarse);
+        let below = Below::new(habits.cuts_around, habits.feed_beside);
+        let watch = Watch::new(habits, names.clone());
+        let watched = Watched { names, contour: Contour::default(), below };
+        Self { sink, breach, reported, faults, calls, spans, watched, watch, budget, left: budget }
     }
 
     /// Counts one more block; false, with a fault, where the budget is spent.
@@ -97,8 +114,10 @@ impl<'a, S: Sink> Running<'a, S> {
 
     /// Reports a fault once for each word and rule, with the calls that led there.
     pub fn report(&mut self, mut fault: Fault) {
-        // What is not checked is said once.
-        if fault.code == NOT_CHECKED && self.faults.iter().any(|known| known.note == fault.note) {
+        // What is not checked is said once, and so is what the builder of the machine decides.
+        if matches!(fault.code, NOT_CHECKED | "change-turning-maybe")
+            && self.faults.iter().any(|known| known.note == fault.note)
+        {
             return;
         }
         if self.reported.insert((fault.span.line, fault.span.column, fault.code)) {
@@ -116,7 +135,8 @@ impl<'a, S: Sink> Running<'a, S> {
         if self.faults.iter().any(Fault::is_error) {
             self.faults.retain(|fault| !stay::TOLD.contains(&fault.code));
         } else {
-            for (block, code, note) in self.watch.clone().finish() {
+            let below = std::mem::take(&mut self.watched.below).finish();
+            for (block, code, note) in self.watch.clone().finish().into_iter().chain(below) {
                 let span = TextSpan { line: block.line, column: 1, width: 1 };
                 let mut fault = (self.breach)(code, span, block.number);
                 (fault.note, fault.of_program_alone) = (note, true);

@@ -80,6 +80,10 @@ vocabulary! {
         FeedOverride = "feed-override",
         /// Steps of the switch, %.
         SpindleOverride = "spindle-override",
+        /// What a tape begins with.
+        TapeStart = "tape-start",
+        /// The machine of its description, as the catalogs name it.
+        DescribedOn = "described-on",
     }
 }
 
@@ -200,7 +204,8 @@ rows! {
         name: Named<'t, Characteristic>,
         value: Option<Vec<f64>>,
         unit: Option<&'t str>,
-    } shown { text }
+        text: Option<&'t str>,
+    }
 
     /// Tool offset of 2C42-65: G45...G48 have a factor, G17...G19 the words that they change.
     pub struct ToolOffset of One("2c42-65-tool-offset") {

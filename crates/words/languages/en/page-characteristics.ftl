@@ -26,6 +26,7 @@ characteristic-corrector-value-max = largest value of an offset register
 characteristic-correctors = offset registers
 characteristic-cutting-force-max = cutting force max
 characteristic-cycles-are-motions = cycles are motions
+characteristic-described-on = described on the machine
 characteristic-diameter-over-bed = diameter over bed
 characteristic-diameter-over-carriage = diameter over carriage
 characteristic-drill-diameter-max = drill diameter max

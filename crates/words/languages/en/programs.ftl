@@ -122,6 +122,24 @@ limit-not-checked = { $why ->
         [machine] name it with --machine
        *[zero] give `zeros` and `correctors` in the file of --setting
     }
+change-turning-maybe = M6 while the spindle turns: whether M6 stops it is a matter of the machine's builder
+    .help = look it up, or write M5 before every M6
+distances-left-over = G91 of the return still acts: these positions are taken as distances
+    .help = give G90 behind the return
+radius-not-cancelled = G41 or G42 still acts here
+    .help = give G40 on the way off the contour
+lead-in-through-part = the way to the contour leads through the side of the metal
+    .help = come from the side of the tool: check G41 or G42, G2 or G3, and where the way begins
+lead-out-through-part = the way off the contour leads through the side of the metal
+    .help = leave to the side of the tool: check G2 or G3, and where the way ends
+rapid-into-pocket = T{ $tool }: at rapid down to Z{ $z } mm of the zero, and then around this place: the program has cut nothing here before
+    .help = go down at feed, or drill the place first
+rapid-below-zero = T{ $tool }: at rapid down to Z{ $z } mm of the zero, where the program has cut nothing before
+    .help = look whether the tool comes down beside the part
+feed-tenfold = T{ $tool }: the feed { $feed } mm/min, and { $other } mm/min in the cuts beside it
+    .help = look whether F has a digit too many
+tap-pitch-named = T{ $tool }: F over S makes { $pitch } mm for each turn, and a comment names { $thread }, whose pitch is { $needed } mm
+    .help = correct F or S, or the comment
 beyond-travel-of = axis { $axis } moves to { $value } mm, its travel is { $low } … { $high } mm
     .help = check the dimension, the zero and the offset register
 span-beyond-travel = in { $system } axis { $axis } needs { $needed } mm of travel and has { $travel } mm

@@ -26,6 +26,7 @@ characteristic-corrector-value-max = найбільша величина кор�
 characteristic-correctors = кількість коректорів
 characteristic-cutting-force-max = найбільша сила різання
 characteristic-cycles-are-motions = цикли належать до групи переміщень (1 – так, 0 – ні)
+characteristic-described-on = описаний на верстаті
 characteristic-diameter-over-bed = найбільший діаметр над станиною
 characteristic-diameter-over-carriage = найбільший діаметр над супортом
 characteristic-drill-diameter-max = найбільший діаметр свердла

@@ -183,7 +183,7 @@ fn proven(
         start,
         tolerated,
         tap_word: tap_word.as_deref(),
-        change_stops_spindle: language.change_stops_spindle(),
+        turning_at_change: language.turning_at_change(),
         own_correctors,
     };
     let mut findings = prove(&run.steps, &input).findings;

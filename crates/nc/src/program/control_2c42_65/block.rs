@@ -20,6 +20,7 @@ use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Side, Turning}
 use crate::note::{Figure, IntoFigure, Note};
 use crate::program::brought::{Named, Open};
 use crate::program::limits::{NOT_CHECKED, Spans, not_checked, of_machine, speed_off_steps};
+use crate::program::running::Watched;
 use crate::program::stay::Stay;
 use crate::program::{Call, Fault, Setting, Subject, TextSpan};
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute};
@@ -36,6 +37,7 @@ pub(super) struct Maker<'a> {
     /// The whole block, for faults that belong to no single word.
     pub span: TextSpan,
     pub spans: &'a mut Spans,
+    pub watched: &'a mut Watched,
     /// The holes that cycles have drilled so far.
     pub holes: &'a mut Holes,
     /// The calls that led to the block.
@@ -213,6 +215,7 @@ impl Maker<'_> {
                     if self.state.stay.is_in_cut(self.state.actual.z) {
                         self.program_alone("ends-in-cut", function.span);
                     }
+                    self.radius_left_on(function.span);
                     self.push(Motion::End);
                     after = After::End;
                 }
@@ -260,6 +263,7 @@ impl Maker<'_> {
         if self.state.wanted == 0 {
             self.fault("no-tool", words.get('T').map_or(function.span, |tool| tool.span));
         }
+        self.radius_left_on(function.span);
         let place = Position::of(self.machine.change_place());
         let actual = self.state.actual;
         if self.state.floating.iter().all(Option::is_none) && actual != place {
@@ -288,6 +292,13 @@ impl Maker<'_> {
         self.state.tool = self.state.wanted;
         self.state.registers.brings(self.state.wanted);
         self.push(Motion::ToolChange { tool: self.state.tool });
+    }
+
+    /// A tool change or the end while G41 or G42 acts.
+    fn radius_left_on(&mut self, span: TextSpan) {
+        if matches!(self.state.groups[RADIUS], 41 | 42) {
+            self.program_alone("radius-not-cancelled", span);
+        }
     }
 
     /// A tool that never came, and whose length may have acted.

@@ -116,6 +116,8 @@ pub struct Control {
     pub(super) dwell_step_s: f64,
     pub(super) habits: Habits,
     pub(super) setting: Limits,
+    tape_start: String,
+    described_on: String,
 }
 
 /// Groups 00 to 07 of table 3.5.
@@ -135,6 +137,10 @@ impl Control {
             in_unit(row.value.as_deref(), row.unit, name.unit(), row.row)
         };
         let number = |name| figures(name).map(|(first, _)| first);
+        let text = |name: Characteristic| {
+            let row = record.iter().find(|row| row.name.is(name)).and_then(|row| row.text);
+            row.map(str::to_owned).ok_or_else(|| KnowledgeError::no_row(table, name.name()))
+        };
         let count = |name| number(name).map(|value| value as usize);
         let steps = |name| figures(name).map(|(_, all)| all.into_iter().map(|value| value as i64).collect());
         let dwell_step_s = number(Characteristic::DwellStep)?;
@@ -164,10 +170,22 @@ impl Control {
                 most: Some(Micrometres::from_mm_rounded(number(Characteristic::CorrectorValueMax)?)),
                 decimal: false,
             },
+            tape_start: text(Characteristic::TapeStart)?,
+            described_on: text(Characteristic::DescribedOn)?,
         };
         control.read_functions(knowledge)?;
         control.read_planes_and_cycles(knowledge)?;
         Ok(control)
+    }
+
+    /// What a tape begins with; what stands before the program behind it is passed over.
+    pub(in crate::program) fn tape_start(&self) -> &str {
+        &self.tape_start
+    }
+
+    /// The machine of its description.
+    pub(in crate::program) fn described_on(&self) -> &str {
+        &self.described_on
     }
 
     /// The parts of a setting that this control has.

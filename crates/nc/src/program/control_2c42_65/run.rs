@@ -43,7 +43,7 @@ pub fn check_within<S: Sink>(
             state: ControlState::power_on(control, setting),
             holes: Holes::new(),
             steps: Vec::new(),
-            running: Running::new(sink, fault, control.habits.clone().under(setting), budget),
+            running: Running::new(sink, fault, control.habits.clone().under(setting), text, budget),
         };
         run.program(programs.main.clone(), 0);
         let first = blocks.first().map(|block| block.span).unwrap_or_default();
@@ -100,6 +100,7 @@ impl<S: Sink> ProgramRun<'_, S> {
             block: BlockRef { line: block.span.line, number: block.number },
             span: block.span,
             spans: &mut self.running.spans,
+            watched: &mut self.running.watched,
             holes: &mut self.holes,
             calls: &self.running.calls,
             step_count: 0,

@@ -2,7 +2,7 @@
 
 use super::block::Maker;
 use super::correction::Trouble;
-use super::state::PLANE;
+use super::state::{PLANE, SYSTEM};
 use crate::motion::{Axis, Motion, MotionStep, Position, geometry};
 use crate::program::TextSpan;
 use crate::program::limits::{AxisRanges, beyond_travel};
@@ -59,6 +59,10 @@ impl Maker<'_> {
         }
         let zero =
             self.state.corrected(Position::default().with(Axis::Z, self.state.origin_of(Axis::Z, self.setting).0)).z;
+        let (tool, in_cycle) = (self.state.tool, self.cycle_in_force());
+        if ends.is_some() || self.state.groups[SYSTEM] != 53 {
+            self.watched.below.takes(&self.steps[index], from, zero, tool, in_cycle);
+        }
         let motion = &self.steps[index].motion;
         if let Some(code) = self.state.stay.moves(motion, (from, to), (ends, zero), self.state.turning) {
             self.program_alone(code, span);

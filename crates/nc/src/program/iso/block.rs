@@ -11,9 +11,10 @@ use super::state::{ControlState, User};
 use super::words::{ADDRESSES, BlockWords, Function, WordValue, place};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning, geometry};
-use crate::note::{Figure, IntoFigure, Note};
+use crate::note::{Figure, IntoFigure, Note, Severity};
 use crate::program::brought::{Named, Open};
 use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
+use crate::program::running::Watched;
 use crate::program::stay::Stay;
 use crate::program::{Fault, Setting, Subject, TextSpan};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute};
@@ -34,6 +35,7 @@ pub(super) struct Maker<'a> {
     /// The whole block, for faults that belong to no single word.
     pub span: TextSpan,
     pub spans: &'a mut Spans,
+    pub watched: &'a mut Watched,
     /// The most steps that may be made.
     pub budget: usize,
     /// The letters of used words. Other words would be ignored silently, so they are reported.
@@ -90,8 +92,10 @@ impl Maker<'_> {
         if let Some(function) = words.one_shot(Effect::Dwell, self.control) {
             self.dwell(function, words);
         }
+        self.return_left_over(words);
         self.modes(words);
         self.length_correction(words);
+        self.radius(words);
         self.motion(words);
         let after = self.end_functions(words);
         // After another mistake it would only be a consequence.
@@ -232,6 +236,7 @@ impl Maker<'_> {
                     if self.state.stay.is_in_cut(self.state.at.z) {
                         self.fault("ends-in-cut", function.span).of_program_alone = true;
                     }
+                    self.radius_at_end(function.span);
                     self.push(Motion::End);
                     after = After::End;
                 }
@@ -316,6 +321,7 @@ impl Maker<'_> {
         if !self.state.tool_named {
             self.fault("no-tool", function.span);
         }
+        self.radius_left_on(function.span);
         self.withdraws();
         let floating = self.state.floating[Axis::Z.index()];
         let low = self.state.stay.at_change(self.state.at.z, floating).filter(|_| !self.state.z_on_machine);
@@ -331,12 +337,17 @@ impl Maker<'_> {
         if self.state.turning != Turning::Stopped {
             // By hand it is told as that.
             if self.control.changes_tools() {
-                let stops = self.control.is(Q::ChangeStopsSpindle);
-                self.fault(if stops { "change-stops-spindle" } else { "turning-at-change" }, function.span);
+                let code = match self.control.turning_at_change() {
+                    Severity::Note => "change-stops-spindle",
+                    Severity::Doubtful => "change-turning-maybe",
+                    _ => "turning-at-change",
+                };
+                self.fault(code, function.span);
             }
             self.spindle(Turning::Stopped);
         }
         self.state.height_known = true;
+        self.state.left_by_return = self.state.left_by_return.map(|_| true);
         // The tool that stands in the spindle already keeps its own.
         if self.state.wanted != self.state.tool {
             self.state.feed_user.changes();
@@ -566,7 +577,9 @@ impl Maker<'_> {
 
     /// Adds a step at the position of the axes.
     pub(super) fn push(&mut self, motion: Motion) {
-        self.steps.push(MotionStep { motion, at: self.state.at, block: self.block });
+        let step = MotionStep { motion, at: self.state.at, block: self.block };
+        self.watched.below.takes(&step, step.at, Micrometres::ZERO, self.state.tool, false);
+        self.steps.push(step);
     }
 
     /// Adds a step to a position; none if a straight motion would not move.
@@ -590,6 +603,7 @@ impl Maker<'_> {
         self.state.z_on_machine &= from.z == to.z;
         self.state.moved = true;
         self.stays(&step.motion, from, span);
+        self.along_contour(&step, from, span);
         self.steps.push(step);
     }
 

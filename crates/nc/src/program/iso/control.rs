@@ -6,6 +6,7 @@ use technolog_note::note;
 use crate::error::KnowledgeError;
 use crate::knowledge::contract::Named;
 use crate::knowledge::{Knowledge, RowRef};
+use crate::note::Severity;
 use crate::program::alone::Habits;
 use crate::program::letters;
 use crate::program::setting::Limits;
@@ -242,9 +243,15 @@ impl Control {
         self.cycles.values().any(|cycle| cycle.bottom == Bottom::Reversed)
     }
 
-    /// Whether its tool change stops the spindle itself.
-    pub(in crate::program) fn change_stops_spindle(&self) -> bool {
-        self.is(Q::ChangeStopsSpindle)
+    /// How grave a tool change is to which the spindle turns.
+    pub(in crate::program) fn turning_at_change(&self) -> Severity {
+        if self.is(Q::ChangeStopsSpindle) {
+            Severity::Note
+        } else if self.is(Q::ChangeByBuilder) {
+            Severity::Doubtful
+        } else {
+            Severity::Wrong
+        }
     }
 
     /// The machine function that a tapping cycle needs before it.

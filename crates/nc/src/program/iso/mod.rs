@@ -20,6 +20,7 @@ mod left_over;
 mod moves;
 mod owords;
 mod programs;
+mod radius;
 mod rules;
 mod run;
 mod state;

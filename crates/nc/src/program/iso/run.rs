@@ -51,7 +51,7 @@ pub fn check_within<S: Sink>(
             state: ControlState::power_on(control, setting),
             values: Values::new(control),
             broke: false,
-            running: Running::new(sink, fault, control.habits.clone().under(setting), budget),
+            running: Running::new(sink, fault, control.habits.clone().under(setting), text, budget),
         };
         run.main();
         let first = blocks.first().map(|block| block.span).unwrap_or_default();
@@ -212,6 +212,7 @@ impl<S: Sink> ProgramRun<'_, S> {
             depth,
             span: block.span,
             spans: &mut self.running.spans,
+            watched: &mut self.running.watched,
             budget: self.running.left,
             used: [false; ADDRESSES],
         }

@@ -52,6 +52,8 @@ pub(super) struct ControlState {
     pub own: [bool; Group::NAMES.len()],
     /// Whether the program itself has brought Z somewhere: until then the quill may be down.
     pub height_known: bool,
+    /// Whether G91 came with a return and nobody has said since that distances are meant, and whether a tool came since.
+    pub left_by_return: Option<bool>,
     /// Whether motions are not carried out until the next function of motion or cycle.
     pub passes: bool,
     /// Whether the M function before a tapping cycle acts.
@@ -114,6 +116,7 @@ impl ControlState {
             // After power-on what acts is known, too.
             own: [setting.before == Before::PoweredOn; Group::NAMES.len()],
             height_known: setting.before == Before::PoweredOn,
+            left_by_return: None,
             passes: false,
             tap_prepared: false,
             feed: 0.0,

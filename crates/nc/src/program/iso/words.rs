@@ -88,6 +88,8 @@ pub(super) struct BlockWords {
     pub m: Vec<Function>,
     /// Every other address, by its letter.
     values: [Option<WordValue>; ADDRESSES],
+    /// G41 or G42: whether the tool keeps to the left, and the register of D.
+    pub radius: Option<(bool, Option<u32>)>,
     /// Whether nothing of the block is carried out but modes and machine functions.
     pub passed: bool,
     /// Whether that holds for the blocks behind it.
@@ -186,6 +188,8 @@ impl BlockWords {
             address => (control.passed_addresses.get(&address), address.to_string()),
         };
         self.passed = block.words.iter().any(|word| known(word).0.is_some_and(|passed| passed.whole));
+        let register = self.get('D').and_then(|given| u32::try_from(given.millionths / 1_000_000).ok());
+        self.radius = self.radius.map(|(left, _)| (left, register));
         for word in &block.words {
             let (Some(passed), mut name) = known(word) else { continue };
             // In a block that is passed over as a whole its other words are not told.
@@ -226,6 +230,9 @@ impl BlockWords {
         let known = control.g.get(&function.code).filter(|_| given.millionths % 100_000 == 0);
         let Some(known) = known else {
             if control.passed_g.contains_key(&function.code) && given.millionths % 100_000 == 0 {
+                if matches!(function.code, 410 | 411 | 420 | 421) {
+                    self.radius = Some((function.code < 420, None));
+                }
                 return;
             }
             let word = format!("G{}", given.value());

@@ -277,8 +277,7 @@ impl<'t> Around<'_, 't> {
                         findings.push(ProgramFinding::new(Code::CorrectionAtChange, Severity::Note, *block));
                     }
                     if *turned {
-                        let stops = self.input.change_stops_spindle;
-                        let severity = if stops { Severity::Note } else { Severity::Wrong };
+                        let severity = self.input.turning_at_change;
                         findings.push(ProgramFinding::new(Code::TurnsAtChange, severity, *block));
                     }
                     if *coolant {

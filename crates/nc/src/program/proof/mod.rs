@@ -67,8 +67,8 @@ pub struct ProofInput<'a> {
     /// The machine function that must act before a tap, where the control has one: without it the spindle does not
     /// follow the feed.
     pub tap_word: Option<&'a str>,
-    /// Whether the tool change of the control stops the spindle itself.
-    pub change_stops_spindle: bool,
+    /// How grave a tool change is to which the spindle turns.
+    pub turning_at_change: Severity,
     /// Whether the operator uses offset registers of his own: then numbers and values may differ from the plan's.
     pub own_correctors: bool,
 }

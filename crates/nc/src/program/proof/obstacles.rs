@@ -15,7 +15,7 @@ use crate::units::Micrometres;
 /// block.
 pub(super) fn all(made: &ObservedCuts, tools: &Tools, input: &ProofInput<'_>, findings: &mut Vec<ProgramFinding>) {
     let face = input.plan.part.datum.top;
-    let mut unknown = Vec::new();
+    let (mut unknown, mut low_holders) = (Vec::new(), Vec::new());
     for stay in &made.walk.visits {
         let Some(setup) = input.job.setups.get(stay.setup) else { continue };
         let number = tools.of_section(stay.section);
@@ -40,11 +40,35 @@ pub(super) fn all(made: &ObservedCuts, tools: &Tools, input: &ProofInput<'_>, fi
             if let Some(envelope) = envelope {
                 let found = holder(envelope, motion, stay, &setup.standing, input);
                 let of_unknown = found.as_ref().is_some_and(|found| found.code == Code::HolderUnknown);
-                if of_unknown { &mut unknown } else { &mut *findings }.extend(found);
+                if of_unknown { &mut unknown } else { &mut low_holders }.extend(found);
             }
         }
     }
     findings.extend(one_for_each_holder(unknown));
+    findings.extend(deepest(low_holders));
+}
+
+/// Of the motions of one holder into the part, or into one clamp, the deepest, with how many others there are.
+fn deepest(found: Vec<ProgramFinding>) -> impl Iterator<Item = ProgramFinding> {
+    let mut groups: Vec<(ProgramFinding, usize)> = Vec::new();
+    let made = |finding: &ProgramFinding| finding.length(Name::Made);
+    for finding in found {
+        let same = |(other, _): &&mut (ProgramFinding, usize)| {
+            let alike = |name| other.figures.get(&name) == finding.figures.get(&name);
+            let place = finding.code == Code::HolderIntoPart || alike(Name::At);
+            other.code == finding.code && alike(Name::Tool) && alike(Name::Whose) && place
+        };
+        match groups.iter_mut().find(same) {
+            Some((worst, others)) => {
+                *others += 1;
+                if made(&finding) < made(worst) {
+                    *worst = finding;
+                }
+            }
+            None => groups.push((finding, 0)),
+        }
+    }
+    groups.into_iter().map(|(worst, others)| if others > 0 { worst.with(Name::More, others) } else { worst })
 }
 
 /// One finding for each holder of unknown thickness, which is one cause: the worst of its own, with all its tools and all that it

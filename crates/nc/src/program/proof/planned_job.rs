@@ -26,7 +26,7 @@ pub struct PlannedJob {
     pub job: Job,
     tolerated: Tolerated,
     tap_word: Option<String>,
-    change_stops_spindle: bool,
+    turning_at_change: note::Severity,
     own_correctors: bool,
 }
 
@@ -47,8 +47,8 @@ impl PlannedJob {
         }
         let tolerated = Tolerated::read(&plan.part, knowledge)?;
         let tap_word = language.tap_word();
-        let change_stops_spindle = language.change_stops_spindle();
-        Ok(Self { plan, job, tolerated, tap_word, change_stops_spindle, own_correctors: false })
+        let turning_at_change = language.turning_at_change();
+        Ok(Self { plan, job, tolerated, tap_word, turning_at_change, own_correctors: false })
     }
 
     /// Zeros and offset registers missing in the setting become those of the job; operators with registers of their
@@ -120,7 +120,7 @@ impl PlannedJob {
                 start: setting.start,
                 tolerated: self.tolerated,
                 tap_word: self.tap_word.as_deref(),
-                change_stops_spindle: self.change_stops_spindle,
+                turning_at_change: self.turning_at_change,
                 own_correctors: self.own_correctors,
             },
         )

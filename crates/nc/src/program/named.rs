@@ -1,0 +1,178 @@
+//! What the comments of a program say of its tools: the thread that a tap cuts and the diameter of a tool. Nobody has to write
+//! them; where somebody has, the program is held to them.
+
+use std::collections::BTreeMap;
+
+/// What comments say of tools, by their numbers.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Names {
+    threads: BTreeMap<u32, Vec<Thread>>,
+    diameters: BTreeMap<u32, Vec<f64>>,
+}
+
+/// A metric thread that a comment names.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Thread {
+    /// As it is written: `M8`, `M8X1`.
+    pub name: String,
+    /// Its pitch, mm; the coarse one where the comment gives none.
+    pub pitch: f64,
+}
+
+/// Words of which one stands beside the thread of a tap; M8 alone may be the coolant.
+const OF_TAPS: [&str; 9] = ["TAP", "THREAD", "МІТЧИК", "МЕТЧИК", "METCHIK", "MITCHYK", "РІЗ", "GEWIND", "TARAUD"];
+
+/// A comment or the words of a line, in capitals.
+type Line = (String, Vec<String>);
+
+impl Names {
+    /// Reads the comments of a text; `coarse` has sizes and pitches of coarse threads, mm.
+    pub fn read(text: &str, coarse: &[(f64, f64)]) -> Self {
+        let lines: Vec<Line> = text.lines().map(parts).collect();
+        let mut names = Self::default();
+        let (mut tool, mut wanted) = (0, 0);
+        for (index, (words, comments)) in lines.iter().enumerate() {
+            let called = number(words, 'T');
+            wanted = called.unwrap_or(wanted);
+            if [6, 0].iter().any(|code| number(words, 'M') == Some(*code)) {
+                tool = wanted;
+            }
+            // A comment on a line of its own before a tool is called is about that tool.
+            let alone = words.trim_start_matches(|c: char| c == 'N' || c.is_ascii_digit()).trim().is_empty();
+            let next = lines.iter().skip(index + 1).map(|(words, _)| words).find(|words| !words.trim().is_empty());
+            let next = next.filter(|_| alone).and_then(|words| number(words, 'T'));
+            for comment in comments {
+                let own =
+                    comment.trim_start().strip_prefix('T').and_then(|rest| leading(rest)).map(|(number, _)| number);
+                let of = own.map(|number| number as u32).or(called).or(next).unwrap_or(tool);
+                if let Some(thread) = thread(comment, coarse) {
+                    names.threads.entry(of).or_default().push(thread);
+                }
+                names.diameters.entry(of).or_default().extend(diameter(comment));
+            }
+        }
+        names
+    }
+
+    /// The threads that comments name for a tool.
+    pub fn threads(&self, tool: u32) -> &[Thread] {
+        self.threads.get(&tool).map_or(&[], Vec::as_slice)
+    }
+
+    /// The radius of a tool, mm, where its comments give one diameter and no other.
+    pub fn radius(&self, tool: u32) -> Option<f64> {
+        match self.diameters.get(&tool)?.as_slice() {
+            [first, rest @ ..] if rest.iter().all(|other| other == first) => Some(first / 2.0),
+            _ => None,
+        }
+    }
+}
+
+/// The words of a line and its comments, in capitals.
+fn parts(line: &str) -> Line {
+    let (mut words, mut comments, mut comment) = (String::new(), Vec::new(), None::<String>);
+    for c in line.chars().flat_map(char::to_uppercase) {
+        match (&mut comment, c) {
+            (Some(text), ')') => {
+                comments.push(std::mem::take(text));
+                comment = None;
+            }
+            (Some(text), c) => text.push(c),
+            (None, '(' | ';') => comment = Some(String::new()),
+            (None, c) => words.push(c),
+        }
+    }
+    comments.extend(comment);
+    (words, comments)
+}
+
+/// The number with which a text begins, and what follows it.
+fn leading(text: &str) -> Option<(f64, &str)> {
+    let end = text.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ',')).unwrap_or(text.len());
+    let (number, rest) = text.split_at_checked(end)?;
+    let number = number.trim_end_matches([',', '.']).replace(',', ".");
+    number.parse().ok().map(|number| (number, rest))
+}
+
+/// The whole number behind the first word of that letter.
+fn number(words: &str, letter: char) -> Option<u32> {
+    words
+        .match_indices(letter)
+        .find_map(|(at, _)| leading(words.get(at + letter.len_utf8()..)?))
+        .map(|(it, _)| it as u32)
+}
+
+/// What follows the first of these letters that begins a word and stands before a number.
+fn behind<'t>(text: &'t str, letters: &[&str]) -> Option<(f64, &'t str)> {
+    let begins = |at: usize| !text.get(..at).is_some_and(|before| before.ends_with(char::is_alphanumeric));
+    letters.iter().find_map(|letter| {
+        text.match_indices(letter).filter(|(at, _)| begins(*at)).find_map(|(at, found)| {
+            let rest = text.get(at + found.len()..)?;
+            leading(rest.trim_start_matches([' ', '=', ':', '.']))
+        })
+    })
+}
+
+/// The thread that a comment names.
+fn thread(comment: &str, coarse: &[(f64, f64)]) -> Option<Thread> {
+    let (size, rest) = behind(comment, &["M", "М"])?;
+    let rest = rest.trim_start();
+    let times = rest.strip_prefix(['X', 'Х', '×', '*']).or_else(|| rest.strip_prefix('P'));
+    let written = times.and_then(|rest| leading(rest.trim_start())).map(|(pitch, _)| pitch);
+    // `M8-1.25`, but not `M8-6H`.
+    let dashed = rest.strip_prefix('-').and_then(leading).filter(|(_, rest)| !rest.starts_with(char::is_alphabetic));
+    let pitch = written.or(dashed.map(|(pitch, _)| pitch));
+    let named = OF_TAPS.iter().any(|word| comment.contains(word));
+    match pitch {
+        Some(pitch) if pitch > 0.0 => Some(Thread { name: format!("M{size}x{pitch}"), pitch }),
+        Some(_) => None,
+        None => {
+            let (_, pitch) = coarse.iter().find(|(known, _)| *known == size && named)?;
+            Some(Thread { name: format!("M{size}"), pitch: *pitch })
+        }
+    }
+}
+
+/// The diameter that a comment gives, mm.
+fn diameter(comment: &str) -> Option<f64> {
+    behind(comment, &["Ø", "DIAM", "DIA", "D"]).map(|(number, _)| number).filter(|number| *number > 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_name_threads_and_diameters() {
+        let coarse = [(8.0, 1.25), (10.0, 1.5)];
+        for (comment, expected) in [
+            ("TAP M8", Some(1.25)),
+            ("M8X1 TAP", Some(1.0)),
+            ("M8 X 1.0", Some(1.0)),
+            ("TAP M8-6H", Some(1.25)),
+            ("T3 TAP M8-1.25 H3", Some(1.25)),
+            ("МІТЧИК М10", Some(1.5)),
+            ("M8 COOLANT ON", None),
+            ("M30 TAP", None),
+            ("TAP 1/4-20 UNC", None),
+        ] {
+            assert_eq!(thread(comment, &coarse).map(|thread| thread.pitch), expected, "{comment}");
+        }
+        for (comment, expected) in [
+            ("T1  D=10. CR=0. - ZMIN=-5. - FLAT END MILL", Some(10.0)),
+            ("DRILL D6.8 H2", Some(6.8)),
+            ("END MILL", None),
+        ] {
+            assert_eq!(diameter(comment), expected, "{comment}");
+        }
+    }
+
+    #[test]
+    fn a_comment_is_about_the_tool_beside_it() {
+        let text = "(T4 TAP M10)\n(TAP M8)\nT3 M6\nG84 Z-10 F1000\n(TAP M10)\nT4\nT4 M6 (D12)\n";
+        let names = Names::read(text, &[(8.0, 1.25), (10.0, 1.5)]);
+        let pitches = |tool| names.threads(tool).iter().map(|thread| thread.pitch).collect::<Vec<_>>();
+        assert_eq!((pitches(3), pitches(4)), (vec![1.25], vec![1.5, 1.5]));
+        assert_eq!(names.radius(4), Some(6.0));
+    }
+}
