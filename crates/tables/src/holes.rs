@@ -211,9 +211,6 @@ rows! {
     /// Undersize of core drill No.1.
     pub struct CoreDrillUndersize of One("core-drill-undersize") {} shown { diameter, undersize }
 
-    /// Depth of cut in core drilling.
-    pub struct CoreDrillingDepth of One("core-drilling-depth") {} shown { diameter, depth }
-
     /// The first drill of two-pass drilling: its diameter as a share of the second one's.
     pub struct FirstDrill of One("first-drill") {
         share_min: f64,
@@ -232,9 +229,6 @@ rows! {
         maximum: Option<Micrometres>,
         loss_max: Option<Percent>,
     } shown { minimum, loss_min }
-
-    /// Depth of cut in reaming.
-    pub struct ReamingDepth of One("reaming-depth") {} shown { diameter, depth }
 
     /// Step diameters of H7 holes in solid metal.
     pub struct StepDiameters of One("step-diameters") {
