@@ -224,10 +224,12 @@ fn what_is_achieved_never_gets_worse() {
 fn every_row_that_nobody_confirms_is_a_finding() {
     let bored = "diameter: 20H7, through: true, roughness: Ra 1.25, centre_tolerance: 0.07, at: [[0, 0]]";
     let blind = "thread: M10-6H, depth: 18, centre_tolerance: 0.3, at: [[0, 0]]";
+    let through = "thread: M20-6H, through: true, centre_tolerance: 0.3, at: [[0, 0]]";
     let drilled = "diameter: 10H13, through: true, roughness: Ra 12.5, centre_tolerance: 0.6, at: [[0, 0]]";
     for (material, keys, rows) in [
         ("steel-45", bored, &[("boring-bars", 11)][..]),
-        ("steel-45", blind, &[("hole-defaults", 15), ("taps-machine", 6)]),
+        ("steel-45", blind, &[("hole-defaults", 15)]),
+        ("steel-45", through, &[("taps-machine-more", 1)]),
         ("steel-30hgsa", drilled, &[("materials", 12)]),
         ("steel-65g", drilled, &[("materials", 17)]),
         ("bronze-bro5c5s5", drilled, &[("materials", 33)]),
