@@ -25,7 +25,8 @@ pub struct Drilling<'a> {
 /// The length of flutes that must stay open over the metal when the tip is deepest; zero for tools that are no drills.
 ///
 /// In one go l ≥ depth + k·d, with the point counted in k·d (row `drill-flute-room`). A drill that is brought out after every
-/// step carries the chips of that step with it: l ≥ depth + point + k·d with a smaller k (row `drill-flute-room-pecked`).
+/// step carries the chips of that step with it, and one that opens a hole has room in that: l ≥ depth + point + k·d with a
+/// smaller k (row `drill-flute-room-pecked`).
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -36,7 +37,9 @@ pub fn chip_room(drilling: &Drilling<'_>, knowledge: &Knowledge) -> Result<Micro
     }
     let depth_ratio = depth.max(Micrometres::ZERO).to_mm() / diameter.to_mm();
     let question = MachiningCycleFor { operation, depth_ratio, material_group };
-    let pecked = knowledge.ask(&question)?.need(operation.name())?.cycle == HoleCycle::Peck;
+    // The hole that a drill opens takes its chips, too.
+    let pecked =
+        operation == Operation::DrillOut || knowledge.ask(&question)?.need(operation.name())?.cycle == HoleCycle::Peck;
     let of = if pecked { ProofLimit::DrillFluteRoomPecked } else { ProofLimit::DrillFluteRoom };
     let room = Micrometres::from_mm_rounded(limit(of, knowledge)? * diameter.to_mm());
     Ok(if pecked { room } else { (room - point).max(Micrometres::ZERO) })

@@ -7,7 +7,7 @@ use crate::part::Face;
 use crate::plan::{Feature, Operation};
 use crate::route::point::cone;
 use crate::route::{Remark, RouteStep, StepLocation};
-use crate::tables::rules::Lead;
+use crate::tables::rules::{Lead, TwoPassDrillingFor};
 use crate::units::Micrometres;
 
 use super::{Fitted, Fitting};
@@ -20,7 +20,12 @@ impl Fitting<'_, '_> {
     /// How deep a drill of that diameter must reach in a cylinder: depth, point, overrun and room for chips together.
     pub fn drill_reach(&self, place: &StepLocation, diameter: Micrometres) -> Result<Micrometres, KnowledgeError> {
         let depth = place.depth + cone(diameter, self.drill_point) + self.travels(place.through).1;
-        Ok(depth + self.chip_room(Operation::Drill, place, diameter)?)
+        // One that is always a second drill opens the hole of the first.
+        let material_group = self.shop.material.group;
+        let question = TwoPassDrillingFor { diameter, material_group, first_drill_in_magazine: false };
+        let passes = self.shop.knowledge.ask(&question)?.need("this drill")?.passes;
+        let operation = if passes < 2 { Operation::Drill } else { Operation::DrillOut };
+        Ok(depth + self.chip_room(operation, place, diameter)?)
     }
 
     /// The length of a drill's flutes that must stay open over the hole.
