@@ -124,9 +124,9 @@ impl Below {
     fn cuts(&mut self, points: impl Iterator<Item = Point>, z: f64) {
         for point in points {
             let room = self.room.get_or_insert(Room { low: point, high: point, bottom: z });
-            for axis in 0..2 {
-                room.low[axis] = room.low[axis].min(point[axis]);
-                room.high[axis] = room.high[axis].max(point[axis]);
+            for ((low, high), along) in room.low.iter_mut().zip(&mut room.high).zip(point) {
+                *low = low.min(along);
+                *high = high.max(along);
             }
             room.bottom = room.bottom.min(z);
             if let Some(entry) = self.entry.as_mut().filter(|entry| entry.way.len() < MOST) {
