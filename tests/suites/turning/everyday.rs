@@ -154,7 +154,7 @@ fn a_steady_rest_holds_the_free_end() {
         start: technolog_turning_proof::Degrees(0.0),
         block: Block(1),
     };
-    let proof = prove_set_up(&operation, &[], first, vec![past], Vec::new()).proof.unwrap();
+    let proof = prove_set_up(&operation, &[], first, vec![past], None).proof.unwrap();
     let struck: Vec<_> = proof.faults.iter().filter(|fault| fault.code() == "swept-struck").collect();
     assert!(format!("{struck:?}").contains("body-rest"), "{struck:?}");
     let path = format!("{}/tests/everyday/rest.yaml", env!("CARGO_MANIFEST_DIR"));

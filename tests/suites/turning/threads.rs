@@ -36,7 +36,7 @@ fn thread_faults(workpiece: &Workpiece, out: f64) -> Vec<Fault> {
             _ => motion,
         })
     });
-    let proven = prove_set_up(&operation, &operation.proven, set_up, motions.collect(), Vec::new());
+    let proven = prove_set_up(&operation, &operation.proven, set_up, motions.collect(), None);
     let of_thread = |fault: &Fault| matches!(fault.what, What::ThreadShallow { .. } | What::Gouge { .. });
     proven.proof.unwrap().faults.into_iter().filter(of_thread).collect()
 }
