@@ -266,6 +266,9 @@ def held(program, file, control):
     part = between(outer, inner)
     length = -min(z for z, _ in outer)
     stock = blank_of(spec["blank"], length)
+    if spec.get("holding") == "centres":
+        # Both faces are made before.
+        stock = stock.intersection(box(-length, 0, 0, 999))
     answer = subprocess.run([program, "turn", file, "--format", "json", "--lang", "en"], capture_output=True, text=True)
     plan = json.loads(answer.stdout)
     tools = {job["tool"]["designation"]: job["tool"] for one in plan["set_ups"] for job in one["jobs"]}
@@ -317,7 +320,7 @@ def held(program, file, control):
     left = stock.difference(part.buffer(nose).buffer(-nose).buffer(STANDS))
     for zone in threads:
         left = left.difference(box(zone[0], 0, zone[1], 999))
-    wrong = [one["note"]["code"] for one in plan["findings"] if one["severity"] in ("wrong", "error", "impossible")]
+    wrong = [one.get("code", "") for one in plan["findings"] if one["severity"] in ("wrong", "error", "impossible")]
     pieces = left.geoms if hasattr(left, "geoms") else [left]
     for piece in pieces:
         if thick(piece) > 0.02:
