@@ -416,7 +416,7 @@ fn the_lead_of_a_run_out_is_that_of_the_control() {
 /// five tools are in the setting. H7 and H8 of the bore are gauged, the cylinder without a grade is not.
 #[test]
 fn a_bushing_has_the_norm_of_time_by_hand() {
-    let gauges = gauges(&planned("turned-bushing"));
+    let gauges = gauges(&planned("../../examples/turned-bushing"));
     assert_eq!(gauges, [TimeNorm::PlugFine; 2]);
     let work = NormedWork {
         cutting: Minutes(4.0),
