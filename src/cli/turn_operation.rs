@@ -5,19 +5,21 @@ use serde::Serialize;
 use technolog::audit::turned;
 use technolog::document::Document;
 use technolog::error::KnowledgeError;
+use technolog::job::{GivenTimes, Norm, NormItem, NormedWork, norm_of};
 use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::{Finding, Note, Severity};
 use technolog::report;
 use technolog::turning::jobs::Work;
+use technolog::turning::operation::gauging::gauges;
 use technolog::turning::operation::programs::{Form, OperationProgram, Remarks, programs_named};
 use technolog::turning::operation::setting;
-use technolog::turning::operation::times::{Times, times};
+use technolog::turning::operation::times::{Times, loading, times};
 use technolog::turning::operation::tool_table;
-use technolog::turning::operation::turret::Put;
+use technolog::turning::operation::turret::{Put, stations};
 use technolog::turning::operation::{self, Operation};
 use technolog::turning::program::{Control as LatheControl, NotCycled, NotWritten, ProgramFile};
 use technolog::turning::workpiece::{Turned, Workpiece};
-use technolog::units::RevsPerMinute;
+use technolog::units::{Minutes, RevsPerMinute};
 use technolog::words::{Lang, say};
 
 use super::diagnostics::{Texts, render};
@@ -63,6 +65,29 @@ struct Answer<'a> {
     #[serde(flatten)]
     operation: &'a Operation,
     times: &'a [Times],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    norm: Option<&'a Norm>,
+}
+
+/// The norm of time of a part that is made whole.
+fn norm(operation: &Operation, times: &[Times], knowledge: &Knowledge) -> Result<Option<Norm>, KnowledgeError> {
+    if operation.has_errors() || times.is_empty() {
+        return Ok(None);
+    }
+    let all = |time: fn(&Times) -> Minutes| times.iter().map(time).sum::<Minutes>();
+    let because = Some(loading(knowledge)?);
+    let each = times.first().map_or(Minutes(0.0), |times| times.load_min);
+    let work = NormedWork {
+        cutting: all(|times| times.cutting_min).rounded(2),
+        machine: all(|times| times.rapid_min + times.tool_change_min + times.spindle_start_min),
+        hands: Minutes(0.0),
+        loading: vec![NormItem { key: "norm-loading", count: times.len(), each, because }],
+        gauges: gauges(operation),
+        settings: times.len(),
+        tools: stations(operation).len(),
+        zeros: times.len(),
+    };
+    norm_of(work, GivenTimes::default(), knowledge).map(Some)
 }
 
 /// Shows the whole operation; a drawing has the toolpaths of all schemes if requested.
@@ -78,7 +103,8 @@ pub fn page(
 ) -> Result<Outcome, CliError> {
     let operation = plan(workpiece, knowledge, context)?;
     let times = times(&operation, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
-    let answer = Answer { operation: &operation, times: &times };
+    let norm = norm(&operation, &times, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let answer = Answer { operation: &operation, times: &times, norm: norm.as_ref() };
     match format {
         Format::Json => context.emit_json(&answer)?,
         Format::Yaml => context.emit_yaml(&answer)?,
@@ -86,8 +112,9 @@ pub fn page(
             context.emit_cleaned(&report::turning::operation_drawing(&operation, all_schemes, context.lang))?
         }
         _ => {
+            let doubts = context.amount.doubts();
             let page =
-                report::turning::operation_page(&operation, &times, knowledge, context.amount.doubts(), context.lang);
+                report::turning::operation_page(&operation, &times, norm.as_ref(), knowledge, doubts, context.lang);
             drawn(page, format, context, "turn-figure", |lang| {
                 report::turning::operation_drawing(&operation, all_schemes, lang)
             })?;
@@ -252,7 +279,9 @@ pub fn report(
         printed.push(report::turning::Printed { makes: makes.to_owned(), text, remarks });
     }
     let unsafe_ = operation.has_errors() || printed.iter().any(|program| program.text.is_err());
-    let page = report::turning::report_page(&operation, &times, &setting, &printed, knowledge, context.lang);
+    let norm = norm(&operation, &times, knowledge).map_err(lacking)?;
+    let page =
+        report::turning::report_page(&operation, &times, norm.as_ref(), &setting, &printed, knowledge, context.lang);
     Ok((page, if unsafe_ { Outcome::Findings } else { Outcome::Done }))
 }
 

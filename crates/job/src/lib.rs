@@ -44,7 +44,7 @@ use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 pub use cycle::{Feeding, cycle};
 pub use envelope::{Body, BodyKind, Envelope};
 pub use make::make;
-pub use norm::{GivenTimes, Norm, NormItem, norm};
+pub use norm::{GivenTimes, Norm, NormItem, NormedWork, norm, norm_of};
 pub use shop::convention;
 pub use slot_path::{SlotMotion, SlotMove, Turn};
 use time::timed;

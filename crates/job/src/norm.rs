@@ -4,6 +4,8 @@
 //! of them with figures): time per piece Tp = (Tb + Ta)·(1 + (service + rest)/100), with the lot Tp + Tset/n. The times of manual
 //! work are those of the tables `loading-time` and `time-norms`, or what the shop gives.
 
+use serde::{Serialize, Serializer};
+
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Note};
@@ -18,8 +20,6 @@ use super::Job;
 
 /// How many clamps the time of loading under straps has.
 const CLAMPS: usize = 3;
-/// The finest grade that the coarse plugs of the table gauge.
-const COARSE: u8 = 11;
 
 /// What the shop knows better than a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -33,13 +33,14 @@ pub struct GivenTimes {
 }
 
 /// An element of the norm.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NormItem {
     /// The key of its words.
     pub key: &'static str,
     /// How often it is done.
     pub count: usize,
     /// How long it takes each time, min.
+    #[serde(rename = "each_min")]
     pub each: Minutes,
     /// Its row; absent for what the shop gives and what the plan has.
     pub because: Option<Because>,
@@ -52,36 +53,72 @@ impl NormItem {
     }
 }
 
-/// The norm of time of an operation, min.
+/// The work of an operation, whatever planned it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Norm {
+pub struct NormedWork {
     /// Cutting, Tb.
-    pub basic: Minutes,
-    /// What the machine does beside cutting: rapids, tool changes, dwells.
+    pub cutting: Minutes,
+    /// What the machine does beside cutting.
     pub machine: Minutes,
     /// The operator's hands while the program waits.
     pub hands: Minutes,
+    /// Loading; none where nobody knows how long it takes.
+    pub loading: Vec<NormItem>,
+    /// How each gauged place is gauged.
+    pub gauges: Vec<TimeNorm>,
+    /// How often the machine is set for a lot.
+    pub settings: usize,
+    /// The tools that are put in.
+    pub tools: usize,
+    /// The zeros that are set.
+    pub zeros: usize,
+}
+
+/// The hundredths of a share without their row.
+fn share<S: Serializer>(share: &(f64, Because), serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(share.0)
+}
+
+/// The norm of time of an operation, min.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Norm {
+    /// Cutting, Tb.
+    #[serde(rename = "basic_min")]
+    pub basic: Minutes,
+    /// What the machine does beside cutting: rapids, tool changes, dwells.
+    #[serde(rename = "machine_min")]
+    pub machine: Minutes,
+    /// The operator's hands while the program waits.
+    #[serde(rename = "hands_min")]
+    pub hands: Minutes,
     /// Loading, and of gauging what does not go on while the machine cuts the next part.
     pub of_piece: Vec<NormItem>,
-    /// Gauging of all holes: it goes on while the machine cuts the next part.
+    /// Gauging of holes: it goes on while the machine cuts the next part.
     pub gauging: Vec<NormItem>,
     /// Gauging that is longer than the program.
+    #[serde(rename = "gauging_beyond_min")]
     pub gauging_beyond: Minutes,
     /// The auxiliary time Ta: all of the above but cutting; absent where nobody knows how long loading takes.
+    #[serde(rename = "auxiliary_min")]
     pub auxiliary: Option<Minutes>,
     /// Looking after the place of work, in hundredths of Tb + Ta.
+    #[serde(rename = "service_percent", serialize_with = "share")]
     pub service: (f64, Because),
     /// Rest and needs, in hundredths of Tb + Ta.
+    #[serde(rename = "rest_percent", serialize_with = "share")]
     pub rest: (f64, Because),
     /// Time per piece.
+    #[serde(rename = "piece_min")]
     pub piece: Option<Minutes>,
     /// The elements of preparation of a lot.
     pub of_lot: Vec<NormItem>,
     /// Their sum, Tset.
+    #[serde(rename = "preparatory_min")]
     pub preparatory: Minutes,
     /// The number of parts of a lot.
     pub lot: Option<u32>,
     /// Time per piece with the share of the lot's preparation.
+    #[serde(rename = "with_lot_min")]
     pub with_lot: Option<Minutes>,
 }
 
@@ -122,25 +159,46 @@ impl Figures<'_> {
 /// # Errors
 /// A table lacks a figure.
 pub fn norm(plan: &Plan, job: &Job, given: GivenTimes, knowledge: &Knowledge) -> Result<Norm, KnowledgeError> {
-    let figures = Figures(knowledge);
     let time = &plan.time;
-    let machine = time.feed_out_min + time.dwell_min + time.rapid_min + time.tool_change_min;
-    let program = time.machine_min + machine + time.hand_min;
-    let of_piece = loading(plan, given, &figures)?;
-    let gauging = gauging(plan, &figures)?;
+    let work = NormedWork {
+        cutting: time.machine_min,
+        machine: time.feed_out_min + time.dwell_min + time.rapid_min + time.tool_change_min,
+        hands: time.hand_min,
+        loading: loading(plan, &Figures(knowledge))?,
+        gauges: gauges(plan),
+        settings: 1,
+        tools: plan.tools.iter().filter(|tool| tool.number > 0).count(),
+        zeros: job.setups.len(),
+    };
+    norm_of(work, given, knowledge)
+}
+
+/// The norm of time of any work.
+///
+/// # Errors
+/// A table lacks a figure.
+pub fn norm_of(work: NormedWork, given: GivenTimes, knowledge: &Knowledge) -> Result<Norm, KnowledgeError> {
+    let figures = Figures(knowledge);
+    let (cutting, machine, hands) = (work.cutting, work.machine, work.hands);
+    let program = cutting + machine + hands;
+    let gauging = gauging(&work.gauges, &figures)?;
     let beyond = Minutes((sum(&gauging).0 - program.0).max(0.0));
-    let known = !of_piece.is_empty();
-    let auxiliary = known.then(|| (machine + time.hand_min + sum(&of_piece) + beyond).rounded(2));
     let (service, rest) = (figures.figure(TimeNorm::Service)?, figures.figure(TimeNorm::Rest)?);
-    let piece = auxiliary.map(|auxiliary| per_piece(time.machine_min + auxiliary, service.0 + rest.0));
-    let of_lot = preparation(plan, job, given, program, &figures)?;
+    let of_lot = preparation(&work, given, program, &figures)?;
+    let of_piece = match given.loading {
+        Some(each) => vec![NormItem { key: "norm-loading", count: 1, each, because: None }],
+        None => work.loading,
+    };
+    let known = !of_piece.is_empty();
+    let auxiliary = known.then(|| (machine + hands + sum(&of_piece) + beyond).rounded(2));
+    let piece = auxiliary.map(|auxiliary| per_piece(cutting + auxiliary, service.0 + rest.0));
     let preparatory = sum(&of_lot).rounded(2);
     let lot = given.lot.filter(|lot| *lot > 0);
     let with_lot = piece.zip(lot).map(|(piece, lot)| with_share(piece, preparatory, lot));
     Ok(Norm {
-        basic: time.machine_min,
+        basic: cutting,
         machine: machine.rounded(2),
-        hands: time.hand_min,
+        hands,
         of_piece,
         gauging,
         gauging_beyond: beyond.rounded(2),
@@ -169,11 +227,8 @@ fn sum(items: &[NormItem]) -> Minutes {
     items.iter().map(NormItem::total).sum()
 }
 
-/// The elements of loading; none where the part is held by what no table has and the shop gives no time.
-fn loading(plan: &Plan, given: GivenTimes, figures: &Figures<'_>) -> Result<Vec<NormItem>, KnowledgeError> {
-    if let Some(each) = given.loading {
-        return Ok(vec![NormItem { key: "norm-loading", count: 1, each, because: None }]);
-    }
+/// The elements of loading; none where the part is held by what no table has.
+fn loading(plan: &Plan, figures: &Figures<'_>) -> Result<Vec<NormItem>, KnowledgeError> {
     let held = match plan.setup.fixture.as_ref().map(|fixture| fixture.held) {
         Some(HeldBy::Straps) => LoadedBy::Straps,
         Some(HeldBy::Vice) => LoadedBy::Vice,
@@ -194,27 +249,28 @@ fn loading(plan: &Plan, given: GivenTimes, figures: &Figures<'_>) -> Result<Vec<
 }
 
 /// A plug in each hole: of a thread, of a coarse or of a fine grade.
-fn gauging(plan: &Plan, figures: &Figures<'_>) -> Result<Vec<NormItem>, KnowledgeError> {
-    let count = |what: fn(&Hole) -> TimeNorm, name| -> usize {
-        // What another machine finishes is gauged there.
-        let is_finished = |hole: &&Hole| {
-            let own = plan.holes.iter().find(|own| own.name == hole.name);
-            own.is_some_and(|own| own.transitions.iter().all(|one| !one.elsewhere))
-        };
-        let holes = plan.part.holes.iter().filter(is_finished);
-        holes.filter(|hole| what(hole) == name).map(|hole| hole.at.len()).sum()
+fn gauges(plan: &Plan) -> Vec<TimeNorm> {
+    // What another machine finishes is gauged there.
+    let is_finished = |hole: &&Hole| {
+        let own = plan.holes.iter().find(|own| own.name == hole.name);
+        own.is_some_and(|own| own.transitions.iter().all(|one| !one.elsewhere))
     };
     let plug = |hole: &Hole| match &hole.thread {
         Some(_) => TimeNorm::ThreadPlug,
-        None if hole.diameter.it.number() >= COARSE => TimeNorm::PlugCoarse,
-        None => TimeNorm::PlugFine,
+        None => TimeNorm::plug(hole.diameter.it),
     };
+    let holes = plan.part.holes.iter().filter(is_finished);
+    holes.flat_map(|hole| hole.at.iter().map(move |_| plug(hole))).collect()
+}
+
+/// The elements of gauging, kind by kind.
+fn gauging(gauges: &[TimeNorm], figures: &Figures<'_>) -> Result<Vec<NormItem>, KnowledgeError> {
     let kinds = [
         ("norm-plug-coarse", TimeNorm::PlugCoarse),
         ("norm-plug-fine", TimeNorm::PlugFine),
         ("norm-thread-plug", TimeNorm::ThreadPlug),
     ];
-    let counted = kinds.map(|(key, name)| (key, name, count(plug, name)));
+    let counted = kinds.map(|(key, name)| (key, name, gauges.iter().filter(|gauge| **gauge == name).count()));
     counted
         .into_iter()
         .filter(|(.., count)| *count > 0)
@@ -224,8 +280,7 @@ fn gauging(plan: &Plan, figures: &Figures<'_>) -> Result<Vec<NormItem>, Knowledg
 
 /// The elements of preparing a lot, the trial run of the program among them.
 fn preparation(
-    plan: &Plan,
-    job: &Job,
+    work: &NormedWork,
     given: GivenTimes,
     program: Minutes,
     figures: &Figures<'_>,
@@ -234,14 +289,14 @@ fn preparation(
         return Ok(vec![NormItem { key: "norm-preparatory", count: 1, each, because: None }]);
     }
     let (tools_of_set_up, _) = figures.figure(TimeNorm::SetUpTools)?;
-    let more = plan.tools.iter().filter(|tool| tool.number > 0).skip(tools_of_set_up as usize).count();
+    let more = work.tools.saturating_sub(tools_of_set_up as usize);
     let mut items = vec![
         figures.item("norm-receive-order", TimeNorm::ReceiveOrder, 1)?,
         figures.item("norm-study-order", TimeNorm::StudyOrder, 1)?,
         figures.item("norm-instruction", TimeNorm::Instruction, 1)?,
-        figures.item("norm-set-up", TimeNorm::SetUp, 1)?,
+        figures.item("norm-set-up", TimeNorm::SetUp, work.settings)?,
         figures.item("norm-tool", TimeNorm::Tool, more)?,
-        figures.item("norm-zeros", TimeNorm::Zeros, job.setups.len())?,
+        figures.item("norm-zeros", TimeNorm::Zeros, work.zeros)?,
         NormItem { key: "norm-trial", count: 1, each: program.rounded(2), because: None },
     ];
     items.retain(|item| item.count > 0);

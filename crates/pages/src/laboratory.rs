@@ -33,7 +33,7 @@ mod forms;
 mod framed;
 mod from_above;
 mod limits;
-mod norm;
+pub(crate) mod norm;
 mod title;
 mod tool_list;
 mod zone;

@@ -60,6 +60,13 @@ vocabulary! {
 }
 
 impl TimeNorm {
+    /// The plug that gauges a hole of a grade.
+    pub fn plug(grade: ItGrade) -> Self {
+        /// The finest grade of the coarse plugs of the table.
+        const COARSE: u8 = 11;
+        if grade.number() >= COARSE { Self::PlugCoarse } else { Self::PlugFine }
+    }
+
     /// The unit of its value, as the table writes it.
     pub const fn unit(self) -> &'static str {
         match self {

@@ -301,7 +301,8 @@ impl Fault {
             return false;
         }
         let (count, spans) = (self.count + other.count, (self.what.span(), other.what.span()));
-        if other.what.worst() > self.what.worst() {
+        // Of two that the grid alone tells apart the first stands.
+        if other.what.worst() > self.what.worst().map(|known| Mm(known.0 + ALIKE)) {
             *self = other.clone();
         }
         self.count = count;
@@ -311,6 +312,9 @@ impl Fault {
         true
     }
 }
+
+/// Ten steps of the grid of regions, mm.
+const ALIKE: f64 = 1e-4;
 
 /// Faults, merged by kind and surface, tool or body.
 #[derive(Clone, Debug, Default)]

@@ -1,9 +1,12 @@
 //! Parts as they stand on everyday drawings: planned whole, or told why not.
 
+use technolog::job::{GivenTimes, NormItem, NormedWork, norm_of};
 use technolog::note::Severity;
+use technolog::tables::practice::TimeNorm;
 use technolog::turning::contour::Side;
 use technolog::turning::jobs::{Body, Job, Pace, Work};
 use technolog::turning::length::Half;
+use technolog::turning::operation::gauging::gauges;
 use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::operation::proof::prove_set_up;
 use technolog::turning::operation::{Operation, SetUpWork, plan};
@@ -11,6 +14,7 @@ use technolog::turning::program::Speed;
 use technolog::turning::toolpath::Purpose;
 use technolog::turning::workpiece::read_turned;
 use technolog::turning::zones::Hold;
+use technolog::units::Minutes;
 use technolog_testing::KNOWLEDGE;
 use technolog_turning_proof::{At, Block, Mm, Motion, MotionKind, Piece};
 
@@ -406,4 +410,24 @@ fn the_lead_of_a_run_out_is_that_of_the_control() {
     let leads: Vec<f64> =
         text("fanuc").lines().filter(|line| line.contains("G32")).filter_map(|line| number(line, "F")).collect();
     assert!(!leads.is_empty() && leads.iter().all(|lead| *lead == 2.0), "{leads:?}");
+}
+
+/// By hand, with the rows of `time-norms`: (4 + 0.5 + 2·0.5)·1.08 = 5.94; 4 + 2 + 2 + 2·12 + 2·1 + 2·2.5 + 4.5 = 43.5, as three of the
+/// five tools are in the setting. H7 and H8 of the bore are gauged, the cylinder without a grade is not.
+#[test]
+fn a_bushing_has_the_norm_of_time_by_hand() {
+    let gauges = gauges(&planned("../../examples/turned-bushing"));
+    assert_eq!(gauges, [TimeNorm::PlugFine; 2]);
+    let work = NormedWork {
+        cutting: Minutes(4.0),
+        machine: Minutes(0.5),
+        hands: Minutes(0.0),
+        loading: vec![NormItem { key: "norm-loading", count: 2, each: Minutes(0.5), because: None }],
+        gauges,
+        settings: 2,
+        tools: 5,
+        zeros: 2,
+    };
+    let norm = norm_of(work, GivenTimes::default(), &KNOWLEDGE).unwrap();
+    assert_eq!((norm.piece, norm.preparatory), (Some(Minutes(5.94)), Minutes(43.5)));
 }

@@ -23,8 +23,7 @@ use technolog::report::Lang;
 use technolog::tables::turning::part::PartSupport;
 use technolog::turning::cutting::{
     Bound, BoundTold, CuttingRefusal, Direction, HeldPart, LimitingDepth, Load, PartSection, Speed, TurningCut,
-    bar_overhang, conditions, cuts_back, finish_feed, least_finishing_depth, limiting_depth, rough_feed,
-    unsaid_roughness,
+    bar_overhang, conditions, cuts_back, finish_feed, limiting_depth, rough_feed, unsaid_roughness,
 };
 use technolog::turning::length::Half;
 use technolog::turning::tooling::{Lathe, TurningTool};
@@ -475,12 +474,10 @@ fn only_an_edge_that_leans_enough_cuts_back() {
     }
 }
 
-/// Two thirds of a nose of 0.8; a free size is finished to Ra 6.3.
+/// A free size is finished to Ra 6.3.
 #[test]
-fn finishing_has_a_least_depth_and_a_roughness_of_its_own() {
+fn finishing_has_a_roughness_of_its_own() {
     let knowledge = knowledge();
-    let tool = TurningTool::find(knowledge, "PCLNR 2525M12").unwrap().unwrap();
-    assert_eq!(least_finishing_depth(&tool, knowledge).unwrap().unwrap().0, mm(0.534));
     assert_eq!(unsaid_roughness(None, knowledge).unwrap().0, "Ra 6.3".parse().unwrap());
     assert_eq!(unsaid_roughness(ItGrade::new(8), knowledge).unwrap().0, "Ra 1.6".parse().unwrap());
 }

@@ -2,6 +2,7 @@
 
 use crate::document::{Column, Document, Inlines, Table};
 use crate::job::{Norm, NormItem};
+use crate::knowledge::Knowledge;
 use crate::note::{Because, Figure};
 use crate::units::Minutes;
 
@@ -17,6 +18,11 @@ pub(super) fn section(page: &mut Document, own: &Sources<'_>, lang: Lang) {
         page.paragraph(say!(lang, "norm-not-whole"));
         return;
     };
+    elements(page, norm, true, own.knowledge, lang);
+}
+
+/// The elements of a norm, and the formulas with their figures; a lot that could be given is asked for.
+pub(crate) fn elements(page: &mut Document, norm: &Norm, asks_lot: bool, knowledge: &Knowledge, lang: Lang) {
     page.push(of_piece(norm, lang));
     match (norm.auxiliary, norm.piece) {
         (Some(auxiliary), Some(piece)) => page.paragraph(say!(
@@ -35,17 +41,17 @@ pub(super) fn section(page: &mut Document, own: &Sources<'_>, lang: Lang) {
     }
     page.push(of_lot(norm, lang));
     page.paragraph(say!(lang, "norm-preparatory-is", preparatory = exactly(norm.preparatory.0, 2)));
-    match (norm.lot, norm.piece, norm.with_lot) {
-        (Some(lot), Some(piece), Some(with_lot)) => page.paragraph(say!(
+    if let (Some(lot), Some(piece), Some(with_lot)) = (norm.lot, norm.piece, norm.with_lot) {
+        page.paragraph(say!(
             lang,
             "norm-with-lot",
             lot = lot,
             piece = exactly(piece.0, 2),
             preparatory = exactly(norm.preparatory.0, 2),
             with = exactly(with_lot.0, 2)
-        )),
-        (None, ..) => page.paragraph(Inlines::sentence(say!(lang, "norm-no-lot"))),
-        _ => {}
+        ));
+    } else if asks_lot && norm.lot.is_none() {
+        page.paragraph(Inlines::sentence(say!(lang, "norm-no-lot")));
     }
     if norm.unconfirmed().contains(&true) {
         page.paragraph(say!(lang, "norm-unconfirmed"));
@@ -53,7 +59,7 @@ pub(super) fn section(page: &mut Document, own: &Sources<'_>, lang: Lang) {
     // Where the letters of the sources are found.
     let items = norm.of_piece.iter().chain(&norm.gauging).chain(&norm.of_lot);
     let reasons = items.filter_map(|item| item.because.as_ref()).chain([&norm.service.1, &norm.rest.1]);
-    let Ok(named) = named_sources(reasons, own.knowledge) else { return };
+    let Ok(named) = named_sources(reasons, knowledge) else { return };
     for (id, source) in named {
         page.paragraph(say!(
             lang,

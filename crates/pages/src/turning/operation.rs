@@ -7,14 +7,17 @@ mod surfaces;
 mod zones;
 
 use crate::document::{Block, Column, Document, Item, Table};
+use crate::job::Norm;
 use crate::knowledge::Knowledge;
 use technolog_turning::allowances::areas::Area;
 use technolog_turning::operation::Operation;
+use technolog_turning::operation::gauging::gauges_outside;
 use technolog_turning::operation::programs::OperationProgram;
 use technolog_turning::operation::times::Times;
 use technolog_turning::operation::work::Work;
 use technolog_words::say;
 
+use super::super::laboratory::norm::elements;
 use super::cells::{Cell, fixed, table};
 use super::phrases::{material, rests_on, word};
 use super::{Doubts, Lang, fields, findings, section};
@@ -23,6 +26,7 @@ use super::{Doubts, Lang, fields, findings, section};
 pub fn operation_page(
     operation: &Operation,
     times: &[Times],
+    norm: Option<&Norm>,
     knowledge: &Knowledge,
     doubts: Doubts,
     lang: Lang,
@@ -56,6 +60,9 @@ pub fn operation_page(
     page.paragraph(total(operation, lang));
     section(&mut page, say!(lang, "turn-jobs"));
     jobs::jobs(&mut page, operation, times, lang);
+    if !times.is_empty() {
+        of_time(&mut page, operation, norm, knowledge, lang);
+    }
     findings(&mut page, operation.findings.iter(), doubts, lang);
     page
 }
@@ -80,6 +87,19 @@ pub fn programs_list(programs: &[OperationProgram], lang: Lang) -> String {
         }
     };
     programs.iter().enumerate().map(line).collect()
+}
+
+/// The norm of time of the whole part, in all its set-ups.
+fn of_time(page: &mut Document, operation: &Operation, norm: Option<&Norm>, knowledge: &Knowledge, lang: Lang) {
+    section(page, say!(lang, "norm-heading"));
+    let Some(norm) = norm else {
+        page.paragraph(say!(lang, "norm-not-whole"));
+        return;
+    };
+    elements(page, norm, false, knowledge, lang);
+    if gauges_outside(operation) {
+        page.paragraph(say!(lang, "turn-norm-outside"));
+    }
 }
 
 fn head(page: &mut Document, operation: &Operation, knowledge: &Knowledge, lang: Lang) {

@@ -1,6 +1,7 @@
 //! The report of a turned part: the operation, its drawings one by one, the setting sheet and the programs.
 
 use crate::document::{Block, Document};
+use crate::job::Norm;
 use crate::knowledge::Knowledge;
 use technolog_turning::operation::Operation;
 use technolog_turning::operation::setting::Setting;
@@ -25,12 +26,13 @@ pub struct Printed {
 pub fn report_page(
     operation: &Operation,
     times: &[Times],
+    norm: Option<&Norm>,
     setting: &Setting,
     programs: &[Printed],
     knowledge: &Knowledge,
     lang: Lang,
 ) -> Document {
-    let mut page = operation_page(operation, times, knowledge, Doubts::Counted, lang);
+    let mut page = operation_page(operation, times, norm, knowledge, Doubts::Counted, lang);
     page.title = say!(lang, "turn-report-title", part = operation.workpiece.name.as_str()).into();
     section(&mut page, say!(lang, "turn-report-drawings"));
     for (caption, svg) in figures(operation, lang) {

@@ -56,16 +56,21 @@ impl Convex {
         let path = to.minus(from);
         let ahead = |from: Vector, to: Vector| to.minus(from).right().dot(path) > 0.0;
         let mut corners = Vec::with_capacity(self.corners.len() + 2);
+        let mut turns = 0;
         let before = self.corners.iter().skip(self.corners.len() - 1).chain(&self.corners);
         let after = self.corners.iter().skip(1).chain(self.corners.first());
         for ((&before, &here), &after) in before.zip(&self.corners).zip(after) {
             let (was, is) = (ahead(before, here), ahead(here, after));
             corners.push(here.plus(if was { to } else { from }));
             if was != is {
+                turns += 1;
                 corners.push(here.plus(if is { to } else { from }));
             }
         }
-        Self::of(corners)
+        // Edges along the line, or shorter than a rounding, may turn back and forth.
+        let hull =
+            || Self::hull([from, to].into_iter().flat_map(|end| self.corners.iter().map(move |one| one.plus(end))));
+        if turns > 2 { hull().unwrap_or_else(|| Self::of(corners)) } else { Self::of(corners) }
     }
 
     /// Of corners that are those of a convex piece already.

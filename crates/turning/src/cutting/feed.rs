@@ -152,19 +152,6 @@ pub fn unsaid_roughness(grade: Option<ItGrade>, knowledge: &Knowledge) -> Result
     Ok((roughness, Because::answer(&asked.answer, Note::new("roughness-unsaid").with("roughness", roughness))))
 }
 
-/// The least depth of a finishing pass, so that the nose cuts and does not rub: a share of its radius
-/// (`turning-limits`). None for a tool whose row has no nose.
-///
-/// # Errors
-/// The table does not have the share.
-pub fn least_finishing_depth(
-    tool: &TurningTool<'_>,
-    knowledge: &Knowledge,
-) -> Result<Option<(Micrometres, Because)>, KnowledgeError> {
-    let (share, because) = bounds::ratio(knowledge, Limit::FinishDepthShare)?;
-    Ok(tool.nose_radius.map(|nose| (Micrometres::from_mm_rounded(share * nose.to_mm()), because)))
-}
-
 /// Whether a tool may cut on its return (rule `turning-cut-back`), with its second edge, whose angle is φ1. A zigzag
 /// requires it.
 ///

@@ -35,9 +35,7 @@ pub use bounds::{
     wall_share,
 };
 pub use conditions::{TurningConditions, conditions, within_part};
-pub use feed::{
-    Feed, cuts_back, feed_of_nose, finish_feed, is_nose_bound, least_finishing_depth, rough_feed, unsaid_roughness,
-};
+pub use feed::{Feed, cuts_back, feed_of_nose, finish_feed, is_nose_bound, rough_feed, unsaid_roughness};
 pub use limit::{BoundTold, LimitingDepth, limiting_depth};
 pub use refusal::{BarTooLong, CuttingRefusal, FigureOwner, MissingFigure, NonPositive, Process};
 pub use stiffness::{Flexibility, HeldPart, PartSection};

@@ -27,6 +27,7 @@ pub mod drill;
 mod features;
 mod feeds;
 mod finishing;
+pub mod gauging;
 pub mod grip;
 mod held;
 mod intermediate;

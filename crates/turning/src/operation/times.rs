@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::tables::lathes::WorkholdingFigure;
+use crate::note::{Because, Note};
+use crate::tables::lathes::{LatheWorkholding, WorkholdingFigure};
 use crate::turning::contour::Piece;
 use crate::turning::jobs::Work;
 use crate::turning::schemes::rates;
@@ -84,6 +85,16 @@ pub fn times(operation: &Operation, knowledge: &Knowledge) -> Result<Vec<Times>,
             }
         })
         .collect())
+}
+
+/// The row that has the time of loading.
+///
+/// # Errors
+/// The knowledge base lacks it.
+pub fn loading(knowledge: &Knowledge) -> Result<Because, KnowledgeError> {
+    let name = WorkholdingFigure::LoadTime;
+    let row = knowledge.need(name.name(), |row: &LatheWorkholding<'_>| row.name.is(name))?;
+    Ok(Because::row(row.row, Note::new("time-norm")))
 }
 
 /// The time at feed: that of the jobs if rapids took none.

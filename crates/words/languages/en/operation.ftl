@@ -8,7 +8,7 @@ far-face-cut-away = set-up { $number }: { $length } mm of the blank are left beh
         [no-bar] the blank is no bar or tube in a chuck
         [centre] a part that comes off between chuck and centre jams the blade
         [rest] the steady rest stands before the place
-        [no-blade] no blade of the catalog reaches the axis
+        [no-blade] no blade of the catalog goes deep enough
         [short] too little of the blank is left for the jaws behind the blade
        *[hole] the hole through the part comes out too narrow for the blade
     }

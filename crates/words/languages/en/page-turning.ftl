@@ -158,6 +158,7 @@ turn-one-of-programs = this is program { $number } of { $of }, for set-up { $set
 turn-written-despite = What was asked for is written all the same: it does not make the whole part, and must not be run before the errors are mended.
 turn-no-such-program = there is no program of this number
 turn-programs-are = give one of these with --number: { $known }
+turn-norm-outside = Outside diameters and outer threads: no table at hand has a time to gauge them, so it is not in the norm.
 turn-no-programs = there is no program, because no zone of the part could be planned
 turn-see-operation = `technolog turn FILE --show operation` says why
 turn-tool-not-written = { $tool }: { $why }

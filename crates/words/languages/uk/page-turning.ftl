@@ -159,6 +159,7 @@ turn-one-of-programs = записано програму { $number } з { $of },
 turn-written-despite = Замовлене все одно записано: усієї деталі воно не робить, і пускати його не можна, доки помилок не усунуто.
 turn-no-such-program = немає програми з таким номером
 turn-programs-are = вкажіть у --number одну з цих: { $known }
+turn-norm-outside = Зовнішні діаметри й зовнішні різі: часу на їх контроль немає в жодній доступній таблиці, тож у нормі його немає.
 turn-no-programs = програм немає, бо жодної зони деталі не спроєктовано
 turn-see-operation = чому – каже `technolog turn ФАЙЛ --show operation`
 turn-tool-not-written = { $tool }: { $why }
