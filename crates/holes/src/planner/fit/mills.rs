@@ -82,7 +82,7 @@ impl<'k> Fitting<'_, 'k> {
         let enters = step.entered.unwrap_or(step.diameter);
         // It makes the corners of a pocket by itself, and goes round in them where it is thinner.
         let corner = self.hole.slot_to(enters).and_then(|slot| slot.corner);
-        let enters = corner.map_or(enters, |corner| enters.min(corner + corner));
+        let enters = corner.map_or(enters, |corner| enters.min(corner + corner).max(Micrometres::ZERO));
         let found = tooling::find_tool(&CutterNeed { enters, clearance, plunges, ..*need }, shop)?;
         // Of end mills nobody expects it: what keeps a slot mill out is the reason.
         let no_teeth = |why: &Unfit| matches!(why, Unfit::Cutter { fault: CutterFault::NoTeethInMiddle { .. }, .. });
