@@ -116,3 +116,17 @@ fn a_workbook_has_its_figures_as_numbers() {
         assert!(book.worksheet_formula(name).unwrap().is_empty(), "no formulas");
     }
 }
+
+/// A figure that nothing confirms is a number like the others; its format shows the mark.
+#[test]
+fn a_marked_figure_is_a_number() {
+    let mut page = Document::new("uk", "Плита");
+    let mut table = Table::new([Column::text("Позначення"), Column::number("Тпз", "хв")]);
+    table.row(["191113040*", "28,29*"]);
+    page.push(table);
+    let mut book: Xlsx<_> = Xlsx::new(Cursor::new(xlsx(&page, &WORDS).unwrap())).unwrap();
+    let name = book.sheet_names()[1].clone();
+    let cells = book.worksheet_range(&name).unwrap();
+    assert_eq!(cells.get_value((1, 0)), Some(&Data::String("191113040*".into())), "a designation");
+    assert_eq!(cells.get_value((1, 1)), Some(&Data::Float(28.29)));
+}

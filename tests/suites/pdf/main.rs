@@ -9,6 +9,7 @@ use technolog::note::IntoFigure;
 use technolog::plan::CuttingMethod;
 use technolog::report::Lang;
 use technolog::report::laboratory::Form;
+use technolog::units::round_to;
 use technolog_testing::{planned, read};
 
 fn run(arguments: &[&str]) -> Output {
@@ -71,10 +72,11 @@ fn every_figure_of_the_plan_is_in_its_pdf() {
                 (its.feed_mm_per_rev.0, 3),
                 (its.speed_m_per_min.0, 1),
                 (its.spindle_rpm.0, 0),
-                (its.feed_mm_per_min.0, 0),
+                (its.feed_mm_per_min.0, usize::from(its.feed_mm_per_min.0.fract().abs() >= 0.05)),
                 (its.machine_time_min.0, 2),
             ];
             for (figure, places) in figures.into_iter().chain(optional) {
+                let figure = round_to(figure, u32::try_from(places).unwrap());
                 has(&format!("{figure:.places$}").replace('.', ","));
             }
         }
