@@ -395,12 +395,10 @@ fn what_a_program_shows_without_a_part_ends_with_exit_code_1() {
                 // The first tool may be in the spindle of a router before the program begins.
                 let there = text.lines().nth(line - 1).is_some_and(|line| line.contains(" T1 "));
                 let first = *control == "grbl" && what == "M6 missing" && there;
-                // Where the builder of the machine decides whether M6 and M0 stop the spindle, both are told as doubtful.
-                let of_builder = what == "M5 missing" && language.turning_at_change() == Severity::Doubtful;
                 let stops = what != "quill not withdrawn"
                     && harmless(control, language, &what, (&text, &right), &steps).is_some();
                 // A tool put into the same place by hand keeps its number.
-                let found = same || !grave.is_empty() || stops || of_builder || left_hand || first;
+                let found = same || !grave.is_empty() || stops || left_hand || first;
                 counts.entry((control, what.clone())).or_default()[usize::from(found)] += 1;
                 if !found && ALONE.contains(&&*what) {
                     let line = text.lines().zip(right.lines()).find(|(now, before)| now != before);

@@ -122,7 +122,7 @@ limit-not-checked = { $why ->
         [machine] name it with --machine
        *[zero] give `zeros` and `correctors` in the file of --setting
     }
-change-turning-maybe = M6 while the spindle turns: whether M6 stops it is a matter of the machine's builder
+change-turning-maybe = M6 while the spindle turns: whether M6 stops it is a matter of the machine's builder; put M5 before it
     .help = look it up, or write M5 before every M6
 distances-left-over = G91 of the return still acts: these positions are taken as distances
     .help = give G90 behind the return

@@ -339,7 +339,7 @@ impl Maker<'_> {
             if self.control.changes_tools() {
                 let code = match self.control.turning_at_change() {
                     Severity::Note => "change-stops-spindle",
-                    Severity::Doubtful => "change-turning-maybe",
+                    _ if self.control.change_by_builder() => "change-turning-maybe",
                     _ => "turning-at-change",
                 };
                 self.fault(code, function.span);

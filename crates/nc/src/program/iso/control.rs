@@ -247,11 +247,14 @@ impl Control {
     pub(in crate::program) fn turning_at_change(&self) -> Severity {
         if self.is(Q::ChangeStopsSpindle) {
             Severity::Note
-        } else if self.is(Q::ChangeByBuilder) {
-            Severity::Doubtful
         } else {
             Severity::Wrong
         }
+    }
+
+    /// Whether the builder of the machine decides if a tool change stops the spindle: M5 is the only word that is sure to.
+    pub(in crate::program) fn change_by_builder(&self) -> bool {
+        self.is(Q::ChangeByBuilder)
     }
 
     /// The machine function that a tapping cycle needs before it.
