@@ -126,7 +126,7 @@ fn how_to_check() {
 
 #[test]
 fn a_tool_table() {
-    recipe("A tool table", "Ø18 × 170");
+    recipe("A tool table", "Ø18 × 180");
 }
 
 #[test]

@@ -159,7 +159,7 @@ fn a_program_of_an_unfinished_part_is_written_by_force_alone() {
         assert_eq!(forced.code, Some(1), "{control}: {}", forced.beside);
         let first = forced.answer.lines().next().unwrap();
         assert!(first.starts_with(mark) && first.is_ascii() && !first.contains('?'), "{control}: {first}");
-        assert!(forced.answer.contains("outer 7") && forced.answer.contains("the groove is not cut"), "{control}");
+        assert!(forced.answer.contains("OUTER 7") && forced.answer.contains("THE GROOVE IS NOT CUT"), "{control}");
         let behind = forced.answer.lines().skip_while(|line| !line.starts_with('O')).nth(1);
         assert!(control != "fanuc" || behind.is_some_and(|line| line == first), "{behind:?}");
     }

@@ -80,7 +80,7 @@ fn programs_of_the_examples_do_what_their_toolpaths_do() {
 #[test]
 fn a_finishing_cut_too_deep_is_told_with_its_line() {
     let (operation, text) = sleeve();
-    let line = line_of(&text, "finish)", "X49.981 Z-2.459 F0.323");
+    let line = line_of(&text, "FINISH)", "X49.981 Z-2.459 F0.323");
     let faults = found(&operation, &changed(&text, line, "X48.961 Z-2.459 F0.323"));
     assert_eq!(grave(&faults), [("swept-gouge", Severity::Wrong, line + 1)]);
     let gouge = faults.iter().find(|fault| fault.code == "swept-gouge").unwrap();
@@ -90,8 +90,8 @@ fn a_finishing_cut_too_deep_is_told_with_its_line() {
 #[test]
 fn what_follows_of_a_tool_that_is_not_named_is_doubtful_at_most() {
     let (operation, text) = sleeve();
-    let line = line_of(&text, "finish)", "X49.981 Z-2.459 F0.323");
-    let bad = changed(&text, line, "X48.961 Z-2.459 F0.323").replace("(T5 PCLNR 2525M12, finish)", "(finishing)");
+    let line = line_of(&text, "FINISH)", "X49.981 Z-2.459 F0.323");
+    let bad = changed(&text, line, "X48.961 Z-2.459 F0.323").replace("(T5 PCLNR 2525M12, FINISH)", "(finishing)");
     let faults = found(&operation, &bad);
     assert_eq!(grave(&faults), [("swept-gouge", Severity::Doubtful, line + 1)]);
     assert!(faults.iter().any(|fault| fault.code == "turned-tool-taken" && fault.severity == Severity::Note));
@@ -100,7 +100,7 @@ fn what_follows_of_a_tool_that_is_not_named_is_doubtful_at_most() {
 #[test]
 fn a_rapid_through_metal_is_told() {
     let (operation, text) = sleeve();
-    let line = line_of(&text, "rough)", "G1 Z-46 F0.5");
+    let line = line_of(&text, "ROUGH)", "G1 Z-46 F0.5");
     let faults = found(&operation, &changed(&text, line, "G0 Z-46"));
     assert!(grave(&faults).contains(&("swept-rapid", Severity::Wrong, line)), "{faults:?}");
 }
@@ -109,7 +109,7 @@ fn a_rapid_through_metal_is_told() {
 #[test]
 fn a_way_into_the_jaws_is_told() {
     let (operation, text) = sleeve();
-    let line = line_of(&text, "rough)", "G0 X58.1 Z-45.5") + 1;
+    let line = line_of(&text, "ROUGH)", "G0 X58.1 Z-45.5") + 1;
     let faults = found(&operation, &changed(&text, line, "X64\nZ-53.9\nX64 Z2.6"));
     assert_eq!(grave(&faults), [], "{faults:?}");
     let faults = found(&operation, &changed(&text, line, "X64\nZ-54.1\nX64 Z2.6"));
@@ -130,9 +130,9 @@ fn what_is_not_known_is_not_blamed() {
     let (operation, text) = sleeve();
     let faults_of = |text: &str| grave(&found(&operation, text)).iter().map(|one| (one.0, one.1)).collect::<Vec<_>>();
     let doubtful = |code| vec![(code, Severity::Doubtful)];
-    let strange = text.replace("T5 M6 G43", "T15 M6 G43").replace("(T5 PCLNR 2525M12, finish)", "(my tool)");
+    let strange = text.replace("T5 M6 G43", "T15 M6 G43").replace("(T5 PCLNR 2525M12, FINISH)", "(my tool)");
     assert_eq!(faults_of(&strange), doubtful("turned-tool-unknown"));
-    let line = line_of(&text, "finish)", "G0 X61.1 Z2.6");
+    let line = line_of(&text, "FINISH)", "G0 X61.1 Z2.6");
     assert_eq!(faults_of(&changed(&text, line, "G0 G42 X61.1 Z2.6")), doubtful("turned-compensated"));
     // A text with errors does not move as it says.
     assert_eq!(faults_of(&changed(&text, line, "G0 X61.1 Q")), []);
@@ -336,7 +336,7 @@ fn a_finishing_pass_under_g42_is_followed() {
     for (control, reader) in [("fanuc", "fanuc-lathe"), ("sinumerik", "sinumerik")] {
         let written = programs(&operation, control, Form::Motions, None, &KNOWLEDGE).unwrap();
         let text = written[0].files.as_ref().unwrap()[0].text.clone();
-        let finish = text.find("finish").unwrap();
+        let finish = text.find("FINISH").unwrap();
         let from = finish + text[finish..].find("X19.428").unwrap();
         let to = from + text[from..].find("G0 X73").unwrap();
         let radius = |size: &str| if control == "fanuc" { format!("R{size}.") } else { format!("CR={size}") };

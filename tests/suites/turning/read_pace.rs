@@ -105,7 +105,7 @@ fn speed_and_feed_are_held_against_practice_and_plan() {
 #[test]
 fn a_feed_is_held_against_what_the_tool_bears() {
     let (sleeve, text) = program("turned-sleeve");
-    let at = text.find("drill)").unwrap();
+    let at = text.find("DRILL)").unwrap();
     let fed = |feed: &str| format!("{}{}", &text[..at], text[at..].replacen("F0.635", &format!("F{feed}"), 1));
     assert_eq!(of_part(&sleeve, &fed("0.95")), []);
     assert_eq!(of_part(&sleeve, &fed("1.27")), [("turned-feed-drill", Severity::Doubtful)]);

@@ -27,9 +27,9 @@ fn a_tool_table_has_a_line_for_each_place_of_the_turret() {
     let table = table_of("turned-bushing");
     let lines: Vec<&str> = table.lines().filter(|line| !line.starts_with(';')).collect();
     assert_eq!(lines.len(), 5, "{table}");
-    assert_eq!(lines[0], "T1 P1 X+0.000 Z+0.000 D+1.600 I+85.000 J+5.000 Q2 ;PCLNR 2525M12, face, rough");
-    assert_eq!(lines[1], "T2 P2 X+0.000 Z+0.000 D+1.600 I+275.000 J+355.000 Q3 ;S32U-PCLNR12, rough");
-    assert_eq!(lines[4], "T5 P5 X+0.000 Z+0.000 D+0.800 Q2 ;MGEHR 2525-4, groove");
+    assert_eq!(lines[0], "T1 P1 X+0.000 Z+0.000 D+1.600 I+85.000 J+5.000 Q2 ;PCLNR 2525M12, FACE, ROUGH");
+    assert_eq!(lines[1], "T2 P2 X+0.000 Z+0.000 D+1.600 I+275.000 J+355.000 Q3 ;S32U-PCLNR12, ROUGH");
+    assert_eq!(lines[4], "T5 P5 X+0.000 Z+0.000 D+0.800 Q2 ;MGEHR 2525-4, GROOVE");
     assert!(table.is_ascii() && table.starts_with(';') && table.ends_with('\n'));
 }
 
@@ -39,8 +39,8 @@ fn a_tool_table_is_of_one_language() {
     let setting = setting(&planned(&example("turned-bushing")), "linuxcnc", &KNOWLEDGE).unwrap();
     let named = |work: Work| Lang::UK.term("turn-does", work.name()).to_owned();
     let table = tool_table(&setting, &say!(Lang::UK, "turn-tool-table-head", part = "Втулка"), named);
-    assert!(table.is_ascii() && table.contains(";PCLNR 2525M12, pidrizaty torets, tochyty nachorno\n"), "{table}");
-    assert!(["touch", "face", "rough", "groove", "until"].iter().all(|word| !table.contains(word)), "{table}");
+    assert!(table.is_ascii() && table.contains(";PCLNR 2525M12, PIDRIZATY TORETS, TOCHYTY NACHORNO\n"), "{table}");
+    assert!(["TOUCH", "FACE", "ROUGH", "GROOVE", "UNTIL"].iter().all(|word| !table.contains(word)), "{table}");
 }
 
 /// By hand, M30x2-6g: d2 28.493 to 28.663 (ISO 965-2), crests 29.682 to 29.962; the best wire 2/√3 = 1.155; over three of them

@@ -117,7 +117,7 @@ fn the_cycles_of_the_controls_make_the_planned_passes() {
                 let text = &files[0].text;
                 let has_cycle = text.contains("G76") || text.contains("CYCLE97");
                 assert_eq!(has_cycle, !planned.is_empty() && written.remarks.is_empty(), "{control}\n{text}");
-                assert_eq!(text.contains("not-cycled"), !written.remarks.is_empty());
+                assert_eq!(text.contains("NOT-CYCLED"), !written.remarks.is_empty());
                 let planned = if has_cycle { by_areas(&operation, written.set_up) } else { planned };
                 assert!(read_back(&operation, written.set_up, control, files, &KNOWLEDGE).unwrap().is_none(), "{text}");
                 let language = LatheLanguage::read(reader(control, &KNOWLEDGE).unwrap().unwrap(), &KNOWLEDGE).unwrap();

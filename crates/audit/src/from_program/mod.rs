@@ -89,7 +89,8 @@ impl ProgramAlone<'_> {
         let shift = if self.part.is_some() { frame::shift(&seen, &of) } else { Position::default() };
         let (placed, elsewhere) = frame::placed(seen, &of, shift);
         let meant = operations::meant(&placed, &of, &told, shift, length(Threshold::SpotOverRadius)?);
-        let mut stated = self.plan(of, placed, &meant, elsewhere, &told, shift, &steps);
+        let placed: Vec<_> = placed.into_iter().zip(meant).collect();
+        let mut stated = self.plan(of, &placed, elsewhere, &told, shift, &steps);
         if !has_feeds {
             for conditions in &mut stated.conditions {
                 conditions.figures.retain(|quantity, _| ![Q::Feed, Q::MinuteFeed].contains(quantity));
@@ -105,8 +106,7 @@ impl ProgramAlone<'_> {
     fn plan(
         &self,
         part: Part,
-        placed: Vec<Placed>,
-        meant: &[Option<Meant>],
+        placed: &[(Placed, Option<Meant>)],
         elsewhere: usize,
         told: &ToldTools,
         shift: Position,
@@ -116,13 +116,13 @@ impl ProgramAlone<'_> {
         let mut untold: BTreeSet<u32> = BTreeSet::new();
         let mut derived: BTreeMap<u32, Operation> = BTreeMap::new();
         let mut known: BTreeSet<(String, usize, Operation)> = BTreeSet::new();
-        for (of, _) in placed.iter().zip(meant).filter(|(_, meant)| meant.is_none()) {
+        for (of, _) in placed.iter().filter(|(_, meant)| meant.is_none()) {
             untold.insert(of.cut.tool);
         }
         // The rest of such a hole hangs on what is not known of it.
         let open: BTreeSet<&str> =
-            placed.iter().zip(meant).filter(|(_, meant)| meant.is_none()).map(|(of, _)| of.hole.as_str()).collect();
-        for (of, meant) in placed.iter().zip(meant).filter(|(of, _)| !open.contains(of.hole.as_str())) {
+            placed.iter().filter(|(_, meant)| meant.is_none()).map(|(of, _)| of.hole.as_str()).collect();
+        for (of, meant) in placed.iter().filter(|(of, _)| !open.contains(of.hole.as_str())) {
             let Some(Meant { operation, derived: is_derived }) = *meant else { continue };
             if is_derived {
                 derived.entry(of.cut.tool).or_insert(operation);

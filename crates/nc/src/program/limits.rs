@@ -71,7 +71,7 @@ pub(super) fn beyond_travel(
                 let (needed, travel) = (entry.1 - entry.0, most - least);
                 if assumed.zeros[axis.index()] && needed <= travel && (low < least || high > most) {
                     let note = Note::new(NOT_CHECKED).with("what", axis.letter().to_string());
-                    notes.push((NOT_CHECKED, note.with("why", "zero".to_owned())));
+                    notes.push((NOT_CHECKED, note.with("why", "zeros".to_owned())));
                 }
                 if needed > travel {
                     let code = "span-beyond-travel";

@@ -3,6 +3,8 @@
 
 use std::collections::BTreeMap;
 
+use technolog_core::ascii::ascii;
+
 /// What comments say of tools, by their numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Names {
@@ -19,8 +21,8 @@ pub(super) struct Thread {
     pub pitch: f64,
 }
 
-/// Words of which one stands beside the thread of a tap; M8 alone may be the coolant.
-const OF_TAPS: [&str; 9] = ["TAP", "THREAD", "МІТЧИК", "МЕТЧИК", "METCHIK", "MITCHYK", "РІЗ", "GEWIND", "TARAUD"];
+/// Beginnings of words of which one stands beside the thread of a tap, in Latin letters; M8 alone may be the coolant.
+const OF_TAPS: [&str; 8] = ["TAP", "THREAD", "MITCHYK", "METCHYK", "METCHIK", "RIZ", "GEWIND", "TARAUD"];
 
 /// A comment or the words of a line, in capitals.
 type Line = (String, Vec<String>);
@@ -122,7 +124,9 @@ fn thread(comment: &str, coarse: &[(f64, f64)]) -> Option<Thread> {
     // `M8-1.25`, but not `M8-6H`.
     let dashed = rest.strip_prefix('-').and_then(leading).filter(|(_, rest)| !rest.starts_with(char::is_alphabetic));
     let pitch = written.or(dashed.map(|(pitch, _)| pitch));
-    let named = OF_TAPS.iter().any(|word| comment.contains(word));
+    let latin = ascii(comment);
+    let mut words = latin.split(|letter: char| !letter.is_ascii_alphabetic());
+    let named = words.any(|word| OF_TAPS.iter().any(|begins| word.starts_with(begins)));
     match pitch {
         Some(pitch) if pitch > 0.0 => Some(Thread { name: format!("M{size}x{pitch}"), pitch }),
         Some(_) => None,

@@ -116,11 +116,11 @@ limit-not-checked = { $why ->
             [tap] tapping
            *[magazine] places of the magazine
         }: not checked, because no machine is named
-       *[zero] axis { $what }: whether it stays in its travel is not checked, because zeros and lengths of tools are those that the plan assumes
+       *[zeros] axis { $what }: whether it stays in its travel is not checked, because zeros and lengths of tools are those that the plan assumes
     }
     .help = { $why ->
         [machine] name it with --machine
-       *[zero] give `zeros` and `correctors` in the file of --setting
+       *[zeros] give `zeros` and `correctors` in the file of --setting
     }
 change-turning-maybe = M6 while the spindle turns: whether M6 stops it is a matter of the machine's builder; put M5 before it
     .help = look it up, or write M5 before every M6

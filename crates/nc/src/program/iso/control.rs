@@ -245,11 +245,7 @@ impl Control {
 
     /// How grave a tool change is to which the spindle turns.
     pub(in crate::program) fn turning_at_change(&self) -> Severity {
-        if self.is(Q::ChangeStopsSpindle) {
-            Severity::Note
-        } else {
-            Severity::Wrong
-        }
+        if self.is(Q::ChangeStopsSpindle) { Severity::Note } else { Severity::Wrong }
     }
 
     /// Whether the builder of the machine decides if a tool change stops the spindle: M5 is the only word that is sure to.

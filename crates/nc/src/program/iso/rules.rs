@@ -91,7 +91,7 @@ pub(super) const RULES: &[Rule] = &[
     ("stop-turning", Wrong, "machine"),
     ("stop-turning-maybe", Warning, "machine"),
     ("change-stops-spindle", Remark, "machine"),
-    ("change-turning-maybe", Error, "machine"),
+    ("change-turning-maybe", Wrong, "machine"),
     ("no-length-offset", Wrong, "machine"),
     ("length-by-hand", Warning, "machine"),
     ("offset-of-other-tool", Wrong, "machine"),
