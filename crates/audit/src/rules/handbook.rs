@@ -315,8 +315,16 @@ fn add<'a, 'b>(
     let quantity = formula.output.quantity;
     // A list gives speeds and does not say by what they were found: a slower one is the author's own.
     let chosen = context.stated.is_list && quantity == Q::Speed;
+    // Many give the speed at the step that was taken. At a fifth of the formula's speed a nought is lost (audit-program-pace).
+    let rpm = context.stated.figure(Id::new(formula.output.scope, Q::Rpm)).map(|rpm| rpm.value);
+    let slowest = move |value: f64, inputs: &[f64]| {
+        let at_step = rpm.zip(inputs.get(2)).map(|(rpm, diameter)| core::f64::consts::PI * diameter * rpm / 1000.0);
+        if at_step.is_some_and(|at_step| (value / at_step - 1.0).abs() < AS_ROUNDED) { 0.2 } else { 0.5 }
+    };
     formula.judge = Some(Box::new(move |value, inputs| match also {
-        _ if chosen && compute(inputs).is_some_and(|most| (most / 2.0..=most).contains(&value)) => None,
+        _ if chosen && compute(inputs).is_some_and(|most| (most * slowest(value, inputs)..=most).contains(&value)) => {
+            None
+        }
         Some(also) if (value / also - 1.0).abs() < AS_ROUNDED => None,
         _ => judged(context, quantity, value, compute(inputs)?),
     }));

@@ -80,6 +80,10 @@ impl Below {
         let (z, before) = (height(step.at), height(from));
         let [begin, at] = [from, step.at].map(|at| [at.x.to_mm(), at.y.to_mm()]);
         match &step.motion {
+            // It may go on below to where it cuts.
+            Motion::Rapid if z < -BELOW && self.entry.as_ref().is_some_and(|entry| entry.way.len() < 2) => {
+                self.entry = self.entry.take().map(|entry| Entry { at, way: vec![at], ..entry });
+            }
             Motion::Rapid => {
                 self.goes_up(tool);
                 if z < -BELOW && z < before && !in_cycle && !self.rooms.iter().any(|room| room.has(at, z, self.around))
@@ -111,7 +115,7 @@ impl Below {
         if let Some((feed, block)) = self.down.take() {
             self.feed_of((tool, true), feed, block);
         }
-        let Some(entry) = self.entry.take().filter(|entry| entry.way.len() > 1) else { return };
+        let Some(entry) = self.entry.take() else { return };
         // A circle about the place may be the wall of a hole that was there before.
         let into = entry.is_enclosed() && !entry.circle;
         let code = if into { "rapid-into-pocket" } else { "rapid-below-zero" };

@@ -135,13 +135,15 @@ fn set(context: &Context<'_>, mut setting: Setting, plan: Option<(&Plan, &job::J
     let Some((plan, job)) = plan else { return setting };
     // A program with a zero of its own makes the part at the same place of the table.
     let shift = context.stated.program.as_ref().map(|program| program.shift).unwrap_or_default();
+    let unset = context.stated.program.as_ref().and_then(|program| program.alone).is_some_and(|alone| !alone.is_set);
     for (setup, zero) in job.setups.iter().zip(&mut setting.zeros) {
         for axis in Axis::ALL {
+            // Where the zeros of a program by itself lie nobody says: it is held to no travel.
+            setting.assumed.zeros[axis.index()] |= unset;
             zero[axis.index()].get_or_insert(setup.zero.get(axis) + shift.get(axis));
         }
     }
     // What stands in the registers of a program by itself nobody says: what its tools need.
-    let unset = context.stated.program.as_ref().and_then(|program| program.alone).is_some_and(|alone| !alone.is_set);
     if setting.correctors.is_empty() || unset {
         setting.correctors.extend(plan.tools.iter().map(|tool| (tool.corrector, holds(context, tool))));
     }

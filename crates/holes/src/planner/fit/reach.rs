@@ -20,12 +20,7 @@ impl Fitting<'_, '_> {
     /// How deep a drill of that diameter must reach in a cylinder: depth, point, overrun and room for chips together.
     pub fn drill_reach(&self, place: &StepLocation, diameter: Micrometres) -> Result<Micrometres, KnowledgeError> {
         let depth = place.depth + cone(diameter, self.drill_point) + self.travels(place.through).1;
-        // One that is always a second drill opens the hole of the first.
-        let material_group = self.shop.material.group;
-        let question = TwoPassDrillingFor { diameter, material_group, first_drill_in_magazine: false };
-        let passes = self.shop.knowledge.ask(&question)?.need("this drill")?.passes;
-        let operation = if passes < 2 { Operation::Drill } else { Operation::DrillOut };
-        Ok(depth + self.chip_room(operation, place, diameter)?)
+        Ok(depth + self.chip_room(Operation::Drill, place, diameter)?)
     }
 
     /// The length of a drill's flutes that must stay open over the hole.
@@ -37,6 +32,11 @@ impl Fitting<'_, '_> {
     ) -> Result<Micrometres, KnowledgeError> {
         let (depth, point) = (place.depth - place.start, self.point(diameter));
         let material_group = self.shop.material.group;
+        // One that is always a second drill opens the hole of the first, which the search has not put before it yet.
+        let question = TwoPassDrillingFor { diameter, material_group, first_drill_in_magazine: false };
+        let second =
+            operation == Operation::Drill && self.shop.knowledge.ask(&question)?.need("this drill")?.passes >= 2;
+        let operation = if second { Operation::DrillOut } else { operation };
         chip_room(&Drilling { operation, diameter, depth, point, material_group }, self.shop.knowledge)
     }
 

@@ -281,9 +281,10 @@ impl Maker<'_> {
                 self.push(Motion::Auxiliary { word: format!("M61 Q{}", self.state.tool) });
             }
             Action::Auxiliary => {
-                // The angle of M19.
+                // The angle of M19, at which the spindle stops.
                 if function.code == 19 {
                     self.take(words, 'R');
+                    self.state.turning = Turning::Stopped;
                 }
                 self.state.tap_prepared |= self.control.tap_preparation.map(i64::from) == Some(function.code);
                 self.push(Motion::Auxiliary { word: format!("M{}", function.code) });

@@ -66,24 +66,47 @@ pub fn thread(
     let tool = insert(site, surface, thread.pitch, piece.to.z, bench)?;
     let crest = thread.crests.as_ref().map_or(piece.from.radius, ThreadLimits::middle_radius);
     let root = root_radius(side, thread, &tool);
-    let (rpm, mut because) = spindle(thread.pitch, root.max(crest).diameter(), lathe, bench)?;
-    because.insert(0, Because::row(tool.row, Note::new("job-tool-taken").with("tool", tool.designation)));
-    let lost = thread.pitch.to_mm() * rpm.0 / limits.ratio(JobLimit::ThreadRunOut)?;
-    let entry =
-        (limits.ratio(JobLimit::ThreadRunIn)? * lost).max(limits.ratio(JobLimit::ThreadEntry)? * thread.pitch.to_mm());
+    let (slows, run_in) = (limits.ratio(JobLimit::ThreadRunOut)?, limits.ratio(JobLimit::ThreadRunIn)?);
+    let least_entry = limits.ratio(JobLimit::ThreadEntry)? * thread.pitch.to_mm();
     let lift = Half::of(limits.length(JobLimit::ThreadLift)?);
     let usual_side = limits.length(JobLimit::ThreadInsertSide)?;
-    let asked = Room {
-        thread: *piece,
-        root,
-        lift,
-        entry: Half::from(entry),
-        run_out: Half::from(lost),
-        side_of_insert: Half::of(tool.insert_side.unwrap_or(usual_side)),
-        longest: thread.longest_run_out.unwrap_or_default(),
-        finest: limits.ratio(JobLimit::ThreadRunOutGrade)?,
+    let finest = limits.ratio(JobLimit::ThreadRunOutGrade)?;
+    let away = (outwards(side, crest, lift).to_mm() - root.to_mm()).abs();
+    let mut bound = RevsPerMinute(f64::INFINITY);
+    let (rpm, mut because, found) = loop {
+        let (rpm, because) = spindle(thread.pitch, root.max(crest).diameter(), bound, lathe, bench)?;
+        let lost = thread.pitch.to_mm() * rpm.0 / slows;
+        let asked = Room {
+            thread: *piece,
+            root,
+            lift,
+            entry: Half::from((run_in * lost).max(least_entry)),
+            run_out: Half::from(lost),
+            side_of_insert: Half::of(tool.insert_side.unwrap_or(usual_side)),
+            longest: thread.longest_run_out.unwrap_or_default(),
+            finest,
+        };
+        let found = asked.find(site, surface)?;
+        // Where it is pulled out of the thread, X goes as far as it must while Z goes on by the pitch.
+        let along = (found.to - piece.to.z).to_mm();
+        let rate = if found.pull_out { rpm.0 * thread.pitch.to_mm() * away / along.max(0.001) } else { 0.0 };
+        let (_, most) = lathe.feed_x;
+        if rate <= most.0 {
+            break (rpm, because, found);
+        }
+        if bound.0 <= rpm.0 {
+            let rate = MillimetresPerMinute(rate);
+            return Err(Refusal::Not(NoJob::PitchTooQuick { pitch: thread.pitch, spindle: rpm, rate, most }));
+        }
+        // The next step below: at a lower speed less is lost, too, and the way out gets shorter.
+        bound = RevsPerMinute(rpm.0 * 0.99);
     };
-    let found = asked.find(site, surface)?;
+    if bound.0.is_finite() {
+        let note = Note::new("thread-feed-follows").with("most", lathe.feed_x.1.0).with("spindle", rpm.0);
+        let row = lathe.row(crate::tables::lathes::LatheQuantity::FeedMaxX)?;
+        because.push(Because::row(row, note.with("pitch", thread.pitch)));
+    }
+    because.insert(0, Because::row(tool.row, Note::new("job-tool-taken").with("tool", tool.designation)));
     if let Some(row) = longest_run_out(side, thread.pitch, bench.knowledge).filter(|_| found.pull_out) {
         let note = Note::new("thread-longest-run-out").with("pitch", row.pitch).with("length", row.length);
         because.push(Because::row(row.row, note));
@@ -203,10 +226,11 @@ fn pitch_diameter(thread: &Thread) -> Micrometres {
 }
 
 /// The spindle speed of a thread, with the rows behind it: the speed of threading on its largest diameter, as fast as the
-/// feed of the lathe follows.
+/// feed of the lathe follows, and no faster than a bound.
 fn spindle(
     pitch: Micrometres,
     diameter: Micrometres,
+    bound: RevsPerMinute,
     lathe: &Lathe<'_>,
     bench: &Bench<'_, '_>,
 ) -> Tried<(RevsPerMinute, Vec<Because>), NoJob> {
@@ -217,7 +241,7 @@ fn spindle(
     let (_, most) = lathe.feed_z;
     let follows = RevsPerMinute(most.0 / pitch.to_mm());
     let wanted = rpm_at(speed, diameter);
-    let rpm = lathe.spindle.at_most(RevsPerMinute(wanted.0.min(follows.0)));
+    let rpm = lathe.spindle.at_most(RevsPerMinute(wanted.0.min(follows.0).min(bound.0)));
     let rate = MillimetresPerMinute(rpm.0 * pitch.to_mm());
     if rate.0 > most.0 {
         return Err(Refusal::Not(NoJob::PitchTooQuick { pitch, spindle: rpm, rate, most }));
