@@ -263,8 +263,8 @@ fn a_bar_is_set_to_the_middle_of_the_field() {
     assert_eq!(last(&honest("steel-45", "20", keys)), (Operation::FinishReam, mm(12.0)));
 }
 
-/// The machine tap M10 of DIN 371 is as thick as its thread behind 39 mm, and its lead takes 3 pitches of them: 34.5 mm of
-/// thread, whatever machine drives it. Under M10 × 15 in 22 mm the drill would come out: 15 + 4.5 + 2.55 (the point of Ø8.5).
+/// The machine tap M10 of DIN 376 has a shank of 7 mm, which follows the thread in: of its 100 mm the chuck has two shanks, 14, stays
+/// 5 over the face, and the lead takes 3 pitches: 76.5 mm of thread, whatever machine drives it. Under M10 × 15 in 22 mm the drill would come out: 15 + 4.5 + 2.55 (the point of Ø8.5).
 #[test]
 fn a_hole_that_nothing_makes_names_the_nearest_depth() {
     let nearest = |thickness: &str, keys: &str| {
@@ -273,13 +273,13 @@ fn a_hole_that_nothing_makes_names_the_nearest_depth() {
         let found = plan.findings.iter().find(|finding| finding.note.code() == "nearest-depth");
         found.unwrap_or_else(|| panic!("{keys}: {:?}", plan.findings)).note.figure_text("depth").unwrap()
     };
-    assert_eq!(nearest("120", "thread: M10-6H, depth: 80, centre_tolerance: 0.3"), "34");
+    assert_eq!(nearest("120", "thread: M10-6H, depth: 80, centre_tolerance: 0.3"), "76");
     assert_eq!(nearest("22", "thread: M10-6H, depth: 16, centre_tolerance: 0.3"), "14");
     let deep: f64 =
         nearest("170", "diameter: 12H7, depth: 145, roughness: Ra 1.6, centre_tolerance: 0.3").parse().unwrap();
     // The core drill Ø12 of A.18b has 101 mm; deeper the reamers follow the drill, and the long one Ø12 stands out 137.8 mm.
     assert!((120.0..=137.8).contains(&deep), "{deep}");
-    honest("steel-45", "120", "thread: M10-6H, depth: 34, centre_tolerance: 0.3");
+    honest("steel-45", "120", "thread: M10-6H, depth: 76, centre_tolerance: 0.3");
     honest("steel-45", "22", "thread: M10-6H, depth: 14, centre_tolerance: 0.3");
 }
 

@@ -85,13 +85,15 @@ impl Below {
                 self.entry = self.entry.take().map(|entry| Entry { at, way: vec![at], ..entry });
             }
             Motion::Rapid => {
-                self.goes_up(tool);
+                self.goes_up(tool, z >= -BELOW);
                 if z < -BELOW && z < before && !in_cycle && !self.rooms.iter().any(|room| room.has(at, z, self.around))
                 {
                     self.entry = Some(Entry { at, z, tool, block: step.block, way: vec![at], circle: false });
                 }
             }
             Motion::Feed { feed_mm_per_min } if z < 0.0 => {
+                // A cycle says itself from where it cuts.
+                self.entry = self.entry.take().filter(|entry| !in_cycle || entry.way.len() > 1);
                 self.cuts([begin, at].into_iter(), z);
                 self.feeds_at(feed_mm_per_min.0, step.block, begin == at, (before, z), tool);
             }
@@ -103,19 +105,19 @@ impl Below {
                 }
                 self.cuts(points, z);
             }
-            Motion::Feed { .. } | Motion::Arc { .. } => self.goes_up(tool),
-            Motion::ToolChange { .. } | Motion::End => self.goes_up(tool),
+            Motion::Feed { .. } | Motion::Arc { .. } => self.goes_up(tool, true),
+            Motion::ToolChange { .. } | Motion::End => self.goes_up(tool, false),
             _ => {}
         }
     }
 
-    /// The tool leaves what it was cutting.
-    fn goes_up(&mut self, tool: u32) {
+    /// The tool leaves what it was cutting. Where it cut nothing at all it is told only when it comes up again.
+    fn goes_up(&mut self, tool: u32, is_up: bool) {
         self.rooms.extend(self.room.take());
         if let Some((feed, block)) = self.down.take() {
             self.feed_of((tool, true), feed, block);
         }
-        let Some(entry) = self.entry.take() else { return };
+        let Some(entry) = self.entry.take().filter(|entry| is_up || entry.way.len() > 1) else { return };
         // A circle about the place may be the wall of a hole that was there before.
         let into = entry.is_enclosed() && !entry.circle;
         let code = if into { "rapid-into-pocket" } else { "rapid-below-zero" };

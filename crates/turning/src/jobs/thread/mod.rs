@@ -94,12 +94,12 @@ pub fn thread(
         if rate <= most.0 {
             break (rpm, because, found);
         }
-        if bound.0 <= rpm.0 {
+        if rpm.0 > bound.0 {
             let rate = MillimetresPerMinute(rate);
             return Err(Refusal::Not(NoJob::PitchTooQuick { pitch: thread.pitch, spindle: rpm, rate, most }));
         }
-        // The next step below: at a lower speed less is lost, too, and the way out gets shorter.
-        bound = RevsPerMinute(rpm.0 * 0.99);
+        // At a lower speed less is lost, too, and the way out may get shorter: asked again.
+        bound = RevsPerMinute(rpm.0 * (most.0 / rate).min(0.99));
     };
     if bound.0.is_finite() {
         let note = Note::new("thread-feed-follows").with("most", lathe.feed_x.1.0).with("spindle", rpm.0);
