@@ -111,13 +111,14 @@ impl Below {
         }
     }
 
-    /// The tool leaves what it was cutting. Where it cut nothing at all it is told only when it comes up again.
+    /// The tool leaves what it was cutting. Where it cut nothing at all it is told only when it is one that was called, and comes up
+    /// again.
     fn goes_up(&mut self, tool: u32, is_up: bool) {
         self.rooms.extend(self.room.take());
         if let Some((feed, block)) = self.down.take() {
             self.feed_of((tool, true), feed, block);
         }
-        let Some(entry) = self.entry.take().filter(|entry| is_up || entry.way.len() > 1) else { return };
+        let Some(entry) = self.entry.take().filter(|entry| (is_up && tool != 0) || entry.way.len() > 1) else { return };
         // A circle about the place may be the wall of a hole that was there before.
         let into = entry.is_enclosed() && !entry.circle;
         let code = if into { "rapid-into-pocket" } else { "rapid-below-zero" };
