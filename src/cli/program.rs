@@ -257,13 +257,9 @@ impl Made {
     }
 }
 
-/// What a plan says where it knows nothing that holds the part.
-const NOT_HELD: [&str; 2] = ["no-vice", "straps-in-the-way"];
-
-/// Findings in the plan and the job because of which the program cannot make the part, or somebody must see to something first.
+/// Findings in the plan and the job because of which the program cannot make the part.
 fn serious<'a>(plan: &'a Plan, job: &'a Job) -> Vec<&'a Finding> {
-    let is_serious = |finding: &Finding| finding.severity <= Severity::Wrong || NOT_HELD.contains(&finding.note.code());
-    let of_plan = |finding: &&Finding| is_serious(finding) && !job.findings.contains(finding);
+    let of_plan = |finding: &&Finding| finding.severity <= Severity::Wrong && !job.findings.contains(finding);
     plan.findings.iter().filter(of_plan).chain(&job.findings).collect()
 }
 
