@@ -61,6 +61,18 @@ pub fn ascii(text: &str) -> String {
     if is_active_comment(&latin) { format!("- {}", latin.trim_start()) } else { latin }
 }
 
+/// Longer words may have an ending: DRILLING.
+const SHORT: usize = 3;
+
+/// Whether a comment in capitals says a phrase: where a word begins with it, or is it where it is short (TAP is no TAPER).
+pub fn says(comment: &str, phrase: &str) -> bool {
+    comment.match_indices(phrase).any(|(at, found)| {
+        let (before, behind) = (&comment[..at], &comment[at + found.len()..]);
+        !before.ends_with(|sign: char| sign.is_ascii_alphanumeric())
+            && (phrase.len() > SHORT || !behind.starts_with(|sign: char| sign.is_ascii_alphabetic()))
+    })
+}
+
 /// Whether LinuxCNC would execute the comment: it begins as those of table `iso-active-comments`, with which a test
 /// compares this list.
 fn is_active_comment(remark: &str) -> bool {

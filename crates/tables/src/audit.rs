@@ -122,6 +122,10 @@ vocabulary! {
         OverrunLeast = "overrun-least",
         /// The widest hole of a program of which nothing is told, mm.
         UntoldWidth = "untold-width",
+        /// The least share of the formula's speed that a list may have chosen.
+        ListSpeedLeast = "list-speed-least",
+        /// The same where the speed is that at the step of the spindle.
+        ListStepSpeedLeast = "list-step-speed-least",
     }
 
     /// What must be known of the part of a list of tools for a rule to judge it.

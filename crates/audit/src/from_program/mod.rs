@@ -29,6 +29,7 @@ use crate::plan::{CuttingMethod, Operation};
 use crate::program::seen::{SeenCut, cuts};
 use crate::program::{Language, Setting, Subject};
 use crate::tables::audit::{AuditThresholds, PlanPart, Threshold};
+use crate::tables::practice::ReachOfTransitionFor;
 use crate::units::Micrometres;
 
 use super::finding::Section;
@@ -88,7 +89,8 @@ impl ProgramAlone<'_> {
         };
         let shift = if self.part.is_some() { frame::shift(&seen, &of) } else { Position::default() };
         let (placed, elsewhere) = frame::placed(seen, &of, shift);
-        let meant = operations::meant(&placed, &of, &told, shift, length(Threshold::SpotOverRadius)?);
+        let drilled = drilled(&of, knowledge)?;
+        let meant = operations::meant(&placed, &of, &told, shift, (length(Threshold::SpotOverRadius)?, &drilled));
         let placed: Vec<_> = placed.into_iter().zip(meant).collect();
         let mut stated = self.plan(of, &placed, elsewhere, &told, shift, &steps);
         if !has_feeds {
@@ -332,6 +334,19 @@ fn run(text: &str, language: &Language, machine: &Machine<'_>, own: Option<&Sett
         }
     }
     (steps, has_feeds)
+}
+
+/// The holes that are no finer than a drill behind a spot leaves them ordinarily.
+fn drilled<'p>(part: &'p Part, knowledge: &Knowledge) -> Result<BTreeSet<&'p str>, KnowledgeError> {
+    let mut found = BTreeSet::new();
+    for hole in &part.holes {
+        let reach = knowledge.ask(&ReachOfTransitionFor { way: "drill-centred", diameter: hole.diameter.nominal })?;
+        let grade = reach.winner()?.and_then(|row| row.it_ordinary);
+        if grade.is_some_and(|grade| hole.diameter.it.number() >= grade.number()) {
+            found.insert(&*hole.name);
+        }
+    }
+    Ok(found)
 }
 
 /// The register that each tool calls first, with its line.

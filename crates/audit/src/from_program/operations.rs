@@ -1,5 +1,7 @@
 //! What each cut of a program is: by the words of its tool, or by its motion where that can be one thing only.
 
+use std::collections::BTreeSet;
+
 use crate::motion::Position;
 use crate::part::Part;
 use crate::plan::Operation;
@@ -17,20 +19,18 @@ pub(super) struct Meant {
     pub derived: bool,
 }
 
-/// The finest grade that drills leave: А.9 of the textbook has core drills and bars for finer ones.
-const OF_DRILLS: u8 = 12;
-
 /// The transitions of the cuts, in their order; none where nothing sure is known.
 ///
-/// A spot goes no deeper than the radius of its hole or thread and `chamfer`, which it may break.
+/// A spot goes no deeper than the radius of its hole or thread and `chamfer`, which it may break. `drilled` are the holes that are no
+/// finer than drills leave them.
 pub(super) fn meant(
     placed: &[Placed],
     part: &Part,
     told: &ToldTools,
     shift: Position,
-    chamfer: Micrometres,
+    (chamfer, drilled): (Micrometres, &BTreeSet<&str>),
 ) -> Vec<Option<Meant>> {
-    let all = (0..placed.len()).map(|at| one(at, placed, part, told, shift, chamfer));
+    let all = (0..placed.len()).map(|at| one(at, placed, part, told, shift, (chamfer, drilled)));
     let mut all: Vec<Option<Meant>> = all.collect();
     // What a tool is at one point of a group it is at all: where a later cut is forgotten, too.
     for at in 0..placed.len() {
@@ -48,7 +48,7 @@ fn one(
     part: &Part,
     told: &ToldTools,
     shift: Position,
-    chamfer: Micrometres,
+    (chamfer, drilled): (Micrometres, &BTreeSet<&str>),
 ) -> Option<Meant> {
     let own = placed.get(at)?;
     let here = |other: &&Placed| other.hole == own.hole && other.cut.at == own.cut.at;
@@ -71,7 +71,7 @@ fn one(
         return Some(Meant { operation, derived: false });
     }
     // What goes straight down and out again behind one drill, in a hole as drills leave it, is the second drill.
-    let coarse = hole.thread.is_none() && hole.diameter.it.number() >= OF_DRILLS;
+    let coarse = hole.thread.is_none() && drilled.contains(&*hole.name);
     let Some(kind) = of(own) else {
         let operation = if own.cut.turned_round {
             Operation::Tap

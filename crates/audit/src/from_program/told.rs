@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use technolog_core::ascii::ascii;
+use technolog_core::ascii::{ascii, says};
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -13,9 +13,6 @@ use crate::tables::audit::{ProgramWords, ToolKind, ToolStage};
 
 use super::super::quantity::Quantity as Q;
 use super::super::stated::{Figures, Stated};
-
-/// Longer words of the table may have an ending: DRILLING.
-const SHORT: usize = 3;
 
 /// What is told of a tool.
 #[derive(Clone, Debug, Default)]
@@ -117,16 +114,7 @@ impl ToldTools {
 impl Told {
     /// One more comment on it. The first that says something counts.
     fn takes(&mut self, comment: &str, line: u32, words: &[ProgramWords<'_>]) {
-        let has = |phrase: &str| {
-            let begins = |at: usize| !comment[..at].ends_with(|sign: char| sign.is_ascii_alphanumeric());
-            // A short word is a whole one: TAP is no TAPER.
-            let ends = |at: usize| {
-                phrase.len() > SHORT
-                    || !comment[at + phrase.len()..].starts_with(|sign: char| sign.is_ascii_alphabetic())
-            };
-            comment.match_indices(phrase).any(|(at, _)| begins(at) && ends(at))
-        };
-        let found = words.iter().filter(|row| has(row.word));
+        let found = words.iter().filter(|row| says(comment, row.word));
         for row in found {
             if self.kind.is_none() && row.kind.is_some() {
                 (self.kind, self.line) = (row.kind, line);

@@ -9,7 +9,7 @@ use crate::cutting::{self, Cut};
 use crate::error::{KnowledgeError, Refusal};
 use crate::note::{Because, Figure, Note, Severity};
 use crate::plan::{CuttingMethod, Operation};
-use crate::tables::audit::{AuditFormula, AuditFormulaFor, MistakenLaw};
+use crate::tables::audit::{AuditFormula, AuditFormulaFor, AuditThresholds, MistakenLaw, Threshold};
 use crate::tables::cutting::{CuttingSpeed, TorqueAndThrust};
 use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
 
@@ -315,11 +315,16 @@ fn add<'a, 'b>(
     let quantity = formula.output.quantity;
     // A list gives speeds and does not say by what they were found: a slower one is the author's own.
     let chosen = context.stated.is_list && quantity == Q::Speed;
-    // Many give the speed at the step that was taken. At a fifth of the formula's speed a nought is lost (audit-program-pace).
+    let least = |name| {
+        let row = context.shop.knowledge.need("audit-thresholds", |row: &AuditThresholds| row.name == name)?;
+        Ok::<_, KnowledgeError>(row.value)
+    };
+    let (least, at_step_least) = (least(Threshold::ListSpeedLeast)?, least(Threshold::ListStepSpeedLeast)?);
+    // Many give the speed at the step that was taken.
     let rpm = context.stated.figure(Id::new(formula.output.scope, Q::Rpm)).map(|rpm| rpm.value);
     let slowest = move |value: f64, inputs: &[f64]| {
         let at_step = rpm.zip(inputs.get(2)).map(|(rpm, diameter)| core::f64::consts::PI * diameter * rpm / 1000.0);
-        if at_step.is_some_and(|at_step| (value / at_step - 1.0).abs() < AS_ROUNDED) { 0.2 } else { 0.5 }
+        if at_step.is_some_and(|at_step| (value / at_step - 1.0).abs() < AS_ROUNDED) { at_step_least } else { least }
     };
     formula.judge = Some(Box::new(move |value, inputs| match also {
         _ if chosen && compute(inputs).is_some_and(|most| (most * slowest(value, inputs)..=most).contains(&value)) => {

@@ -13,6 +13,7 @@ use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning};
 use crate::note::Note;
 use crate::program::Setting;
 use crate::program::named::Names;
+use crate::tables::audit::{ProgramWords, ToolKind};
 use crate::tables::controls::Convention;
 use crate::tables::standards::CoarseThread;
 use crate::tables::turning::jobs::ThreadRunOut;
@@ -35,6 +36,8 @@ pub(super) struct Habits {
     pitches: Vec<f64>,
     /// Sizes and pitches of coarse metric threads, mm.
     pub coarse: Vec<(f64, f64)>,
+    /// The words of comments that name a tap.
+    pub of_taps: Vec<String>,
     /// How many times the feed of the cuts beside it a feed may be.
     pub feed_beside: f64,
     /// How far around its cuts a program has made room, mm.
@@ -60,6 +63,12 @@ impl Habits {
             tap_near: figure(Convention::TapFeedNear)?,
             pitches: knowledge.rows::<ThreadRunOut<'_>>()?.into_iter().map(|row| row.pitch.to_mm()).collect(),
             coarse: knowledge.rows::<CoarseThread<'_>>()?.into_iter().filter_map(|row| size(&row)).collect(),
+            of_taps: knowledge
+                .rows::<ProgramWords<'_>>()?
+                .into_iter()
+                .filter(is_of_tap)
+                .map(|row| row.word.to_owned())
+                .collect(),
             feed_beside: figure(Convention::FeedBesideMost)?,
             cuts_around: figure(Convention::CutsAround)?,
             by_offset: false,
@@ -85,6 +94,10 @@ impl Habits {
     pub fn peck_most(&self) -> i64 {
         libm::round(self.peck_mm * 1e6) as i64
     }
+}
+
+fn is_of_tap(row: &ProgramWords<'_>) -> bool {
+    row.kind == Some(ToolKind::Tap)
 }
 
 /// The size of a coarse thread and its pitch, mm.

@@ -82,7 +82,7 @@ impl Below {
         match &step.motion {
             // It may go on below to where it cuts.
             Motion::Rapid if z < -BELOW && self.entry.as_ref().is_some_and(|entry| entry.way.len() < 2) => {
-                self.entry = self.entry.take().map(|entry| Entry { at, way: vec![at], ..entry });
+                self.entry = self.entry.take().map(|entry| Entry { at, z: entry.z.min(z), way: vec![at], ..entry });
             }
             Motion::Rapid => {
                 self.goes_up(tool, z >= -BELOW);

@@ -101,7 +101,7 @@ impl Language {
         control.tap_word()
     }
 
-    /// How grave a tool change is to which the spindle turns: by its record the change stops it, or may do so.
+    /// How grave a tool change is to which the spindle turns: by its record the change may stop it itself.
     pub fn turning_at_change(&self) -> Severity {
         match self {
             Self::Control2c42(_) => Severity::Wrong,

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use technolog_core::ascii::ascii;
+use technolog_core::ascii::{ascii, says};
 
 /// What comments say of tools, by their numbers.
 #[derive(Clone, Debug, Default)]
@@ -21,15 +21,13 @@ pub(super) struct Thread {
     pub pitch: f64,
 }
 
-/// Beginnings of words of which one stands beside the thread of a tap, in Latin letters; M8 alone may be the coolant.
-const OF_TAPS: [&str; 8] = ["TAP", "THREAD", "MITCHYK", "METCHYK", "METCHIK", "RIZ", "GEWIND", "TARAUD"];
-
 /// A comment or the words of a line, in capitals.
 type Line = (String, Vec<String>);
 
 impl Names {
-    /// Reads the comments of a text; `coarse` has sizes and pitches of coarse threads, mm.
-    pub fn read(text: &str, coarse: &[(f64, f64)]) -> Self {
+    /// Reads the comments of a text; `coarse` has sizes and pitches of coarse threads, mm, `of_taps` the words of which one stands
+    /// beside the thread of a tap: M8 alone may be the coolant.
+    pub fn read(text: &str, coarse: &[(f64, f64)], of_taps: &[String]) -> Self {
         let lines: Vec<Line> = text.lines().map(parts).collect();
         let mut names = Self::default();
         let (mut tool, mut wanted) = (0, 0);
@@ -47,7 +45,7 @@ impl Names {
                 let own =
                     comment.trim_start().strip_prefix('T').and_then(|rest| leading(rest)).map(|(number, _)| number);
                 let of = own.map(|number| number as u32).or(called).or(next).unwrap_or(tool);
-                if let Some(thread) = thread(comment, coarse) {
+                if let Some(thread) = thread(comment, coarse, of_taps) {
                     names.threads.entry(of).or_default().push(thread);
                 }
                 names.diameters.entry(of).or_default().extend(diameter(comment));
@@ -116,7 +114,7 @@ fn behind<'t>(text: &'t str, letters: &[&str]) -> Option<(f64, &'t str)> {
 }
 
 /// The thread that a comment names.
-fn thread(comment: &str, coarse: &[(f64, f64)]) -> Option<Thread> {
+fn thread(comment: &str, coarse: &[(f64, f64)], of_taps: &[String]) -> Option<Thread> {
     let (size, rest) = behind(comment, &["M", "М"])?;
     let rest = rest.trim_start();
     let times = rest.strip_prefix(['X', 'Х', '×', '*']).or_else(|| rest.strip_prefix('P'));
@@ -125,8 +123,7 @@ fn thread(comment: &str, coarse: &[(f64, f64)]) -> Option<Thread> {
     let dashed = rest.strip_prefix('-').and_then(leading).filter(|(_, rest)| !rest.starts_with(char::is_alphabetic));
     let pitch = written.or(dashed.map(|(pitch, _)| pitch));
     let latin = ascii(comment);
-    let mut words = latin.split(|letter: char| !letter.is_ascii_alphabetic());
-    let named = words.any(|word| OF_TAPS.iter().any(|begins| word.starts_with(begins)));
+    let named = of_taps.iter().any(|word| says(&latin, word));
     match pitch {
         Some(pitch) if pitch > 0.0 => Some(Thread { name: format!("M{size}x{pitch}"), pitch }),
         Some(_) => None,
@@ -148,7 +145,7 @@ mod tests {
 
     #[test]
     fn comments_name_threads_and_diameters() {
-        let coarse = [(8.0, 1.25), (10.0, 1.5)];
+        let (coarse, of_taps) = ([(8.0, 1.25), (10.0, 1.5)], ["TAP", "MITCHYK"].map(str::to_owned));
         for (comment, expected) in [
             ("TAP M8", Some(1.25)),
             ("M8X1 TAP", Some(1.0)),
@@ -158,9 +155,10 @@ mod tests {
             ("МІТЧИК М10", Some(1.5)),
             ("M8 COOLANT ON", None),
             ("M30 TAP", None),
+            ("TAPER MILL M8", None),
             ("TAP 1/4-20 UNC", None),
         ] {
-            assert_eq!(thread(comment, &coarse).map(|thread| thread.pitch), expected, "{comment}");
+            assert_eq!(thread(comment, &coarse, &of_taps).map(|thread| thread.pitch), expected, "{comment}");
         }
         for (comment, expected) in [
             ("T1  D=10. CR=0. - ZMIN=-5. - FLAT END MILL", Some(10.0)),
@@ -174,7 +172,7 @@ mod tests {
     #[test]
     fn a_comment_is_about_the_tool_beside_it() {
         let text = "(T4 TAP M10)\n(TAP M8)\nT3 M6\nG84 Z-10 F1000\n(TAP M10)\nT4\nT4 M6 (D12)\n";
-        let names = Names::read(text, &[(8.0, 1.25), (10.0, 1.5)]);
+        let names = Names::read(text, &[(8.0, 1.25), (10.0, 1.5)], &["TAP".to_owned()]);
         let pitches = |tool| names.threads(tool).iter().map(|thread| thread.pitch).collect::<Vec<_>>();
         assert_eq!((pitches(3), pitches(4)), (vec![1.25], vec![1.5, 1.5]));
         assert_eq!(names.radius(4), Some(6.0));

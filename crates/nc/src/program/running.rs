@@ -61,7 +61,7 @@ impl<'a, S: Sink> Running<'a, S> {
     /// At the beginning of a program.
     pub fn new(sink: &'a mut S, breach: NewFault, habits: Habits, text: &str, budget: usize) -> Self {
         let (reported, faults, calls, spans) = (BTreeSet::new(), Vec::new(), Vec::new(), Spans::new());
-        let names = Names::read(text, &habits.coarse);
+        let names = Names::read(text, &habits.coarse, &habits.of_taps);
         let below = Below::new(habits.cuts_around, habits.feed_beside);
         let watch = Watch::new(habits, names.clone());
         let watched = Watched { names, contour: Contour::default(), below };
