@@ -151,6 +151,8 @@ pub(super) enum FindingKind {
     Follows(&'static Rule),
     /// An opening of a hole is not that of the drawing.
     Opening,
+    /// The proof of a program says it better.
+    UnlessProven,
     /// A transition has another tool than its place in the magazine.
     ToolOfTransition,
 }
@@ -288,7 +290,7 @@ impl AuditFinding {
         let mut finding = Self::new(remark.severity, remark.section, field, remark.note.clone()).at(&remark.place);
         finding.quantity = quantity;
         finding.stated = stated;
-        finding
+        if remark.unless_proven { finding.of_kind(FindingKind::UnlessProven) } else { finding }
     }
 
     /// Of that kind.

@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::note::{Because, Note, Severity};
 
 use super::mistakes::OtherLaw;
-use super::quantity::{Id, Scope};
+use super::quantity::{Id, Quantity, Scope};
 use super::stated::{Stated, StatedFigure};
 use super::tolerance::Tolerances;
 
@@ -189,7 +189,11 @@ impl<'a> Graph<'a> {
             let inputs: Option<Vec<f64>> = formula.inputs.iter().map(|input| self.right(*input)).collect();
             let inputs = inputs?;
             match (&formula.judge, stated) {
-                (Some(judge), Some(stated)) if may_stand(&judge(stated, &inputs)) => Some(stated),
+                (Some(judge), Some(stated))
+                    if may_stand(&judge(stated, &inputs)) && !self.fits_only_as_written(formula, stated, &inputs) =>
+                {
+                    Some(stated)
+                }
                 _ => {
                     let value = (formula.compute)(&inputs).filter(|value| value.is_finite())?;
                     // A plan of the program is printed from unrounded figures: the printed value is nearer to them
@@ -288,7 +292,9 @@ impl<'a> Graph<'a> {
         options.extend(written.map(|written| (written, self.is_off(input))));
         options.extend(right.filter(|right| written != Some(*right)).map(|value| (value, false)));
         // Or as its table has it, where another value may stand: who prints another may have gone on with the table's.
-        let table = self.formula(input).filter(|own| own.judge.is_some() && own.inputs.is_empty());
+        // How many clamps there are nobody looks up.
+        let looked_up = |own: &&Formula<'a>| own.judge.is_some() && own.inputs.is_empty();
+        let table = self.formula(input).filter(looked_up).filter(|_| input.quantity != Quantity::Clamps);
         let table = table.and_then(|own| (own.compute)(&[])).filter(|value| written != Some(*value));
         options.extend(table.filter(|value| right != Some(*value)).map(|value| (value, false)));
         // Or as it should be, rounded as the plan prints it.
@@ -350,7 +356,7 @@ impl<'a> Graph<'a> {
         let mut verdict = Verdict { id, right, by_stated, inputs, supplied: supplied.collect(), status: Status::Fine };
         if let Some(judge) = &formula.judge {
             let judged = judge(figure.value, &verdict.inputs);
-            if may_stand(&judged) {
+            if may_stand(&judged) && !self.fits_only_as_written(formula, figure.value, &verdict.inputs) {
                 // Not the best, but acceptable: what follows from it is right.
                 if let Some((severity, note)) = judged {
                     verdict.right = (formula.compute)(&verdict.inputs).unwrap_or(right);
@@ -381,6 +387,21 @@ impl<'a> Graph<'a> {
             None => Status::Root(self.tolerances.severity(id.quantity), None),
         };
         Some(verdict)
+    }
+
+    /// Whether a chosen value is out of line only because the plan states other inputs than it should: by those it is
+    /// what the formula gives, and by the right ones there is something against it.
+    fn fits_only_as_written(&self, formula: &Formula<'a>, stated: f64, right: &[f64]) -> bool {
+        let Some(judge) = formula.judge.as_ref().filter(|_| !self.stated.is_own) else { return false };
+        let against = |inputs: &[f64]| judge(stated, inputs).is_some_and(|(severity, _)| severity < Severity::Note);
+        let mut inputs = right.to_vec();
+        for ((input, value), right) in formula.inputs.iter().zip(&mut inputs).zip(right) {
+            let Some(written) = self.written(*input).filter(|_| !self.constants.contains_key(input)) else { continue };
+            // What rounding explains is no other input.
+            let same = self.stated.figure(*input).is_none_or(|figure| self.fits(*input, figure, *right, 0.0));
+            *value = if same { *right } else { written };
+        }
+        inputs != right && against(right) && !against(&inputs)
     }
 
     /// Whether some combination of stated and right inputs gives the stated result; returns the wrong inputs.

@@ -13,7 +13,7 @@ use super::context::Context;
 use super::figures::{Nature, nature};
 use super::graph::{Formula, Graph, Rule, Status};
 use super::mistakes;
-use super::quantity::{Id, Quantity};
+use super::quantity::{Id, Quantity, Scope};
 
 const MISPRINT: Rule = Rule { id: "misprinted", formula: "" };
 
@@ -37,6 +37,7 @@ struct Suspect {
 
 /// Finds misprinted figures one by one and corrects them.
 pub(super) fn correct<'a>(context: &Context<'a>, graph: &mut Graph<'a>) {
+    points(context, graph);
     for _ in 0..MOST {
         let own: Vec<Id> = graph
             .verdicts()
@@ -48,19 +49,75 @@ pub(super) fn correct<'a>(context: &Context<'a>, graph: &mut Graph<'a>) {
         let Some((found, computed)) = own.iter().find_map(|id| Some((explains(context, graph, *id)?, *id))) else {
             return;
         };
-        let right = found.right;
-        let formula = Formula {
-            rule: &MISPRINT,
-            output: found.id,
-            inputs: Vec::new(),
-            numbers: String::new(),
-            compute: Box::new(move |_| Some(right)),
-            judge: None,
-            others: None,
-            because: Vec::new(),
-        };
-        graph.correct(formula, computed);
+        graph.correct(right_value(found.id, found.right), computed);
     }
+}
+
+/// The formula of a misprinted figure: its right value.
+fn right_value<'a>(id: Id, right: f64) -> Formula<'a> {
+    Formula {
+        rule: &MISPRINT,
+        output: id,
+        inputs: Vec::new(),
+        numbers: String::new(),
+        compute: Box::new(move |_| Some(right)),
+        judge: None,
+        others: None,
+        because: Vec::new(),
+    }
+}
+
+/// A feed whose decimal point is misplaced, where the author went on with the right one: with the point elsewhere the
+/// author's own feed fits what was computed from it, and that is surer than another feed of a table.
+fn points<'a>(context: &Context<'a>, graph: &mut Graph<'a>) {
+    for at in 0..context.stated.conditions.len() {
+        for quantity in [Quantity::Feed, Quantity::FeedTaken] {
+            let id = Id::new(Scope::Conditions(at), quantity);
+            if let Some((right, computed)) = point(context, graph, id) {
+                graph.correct(right_value(id, right), computed);
+            }
+        }
+    }
+}
+
+/// The feed with its point in the right place, and a figure that was computed from it; none where the point is right,
+/// or where nothing tells whether the feed or what was computed from it is the slip.
+fn point(context: &Context<'_>, graph: &Graph<'_>, id: Id) -> Option<(f64, Id)> {
+    // A feed of a card is computed and judged by its formula.
+    if graph.formula(id).is_some_and(|formula| formula.judge.is_none()) || context.stated.is_own {
+        return None;
+    }
+    let figure = graph.printed(id)?;
+    let users = graph.stated_users(id);
+    let fit = |other| -> Vec<Option<bool>> { users.iter().map(|user| graph.fits_if(*user, other)).collect() };
+    let before = fit(None);
+    let table = graph.tables().get(&Id { quantity: Quantity::Feed, ..id }).copied();
+    let limit = |name| context.auditor.threshold(name);
+    let own = limit(Threshold::PointLeast)..=limit(Threshold::PointMost);
+    let like_table = |value: f64| table.map(|table| own.contains(&(value / table)));
+    [0.1, 10.0, 0.01, 100.0].into_iter().find_map(|shift| {
+        let right = figure.value * shift;
+        let after = fit(Some((id, right)));
+        let turned = |from: bool| {
+            let pairs = before.iter().zip(&after).zip(&users);
+            pairs.filter(move |((one, other), _)| (**one, **other) == (Some(from), Some(!from))).map(|(_, user)| *user)
+        };
+        let computed = turned(false).next()?;
+        // What was computed from a figure that itself fits only the other feed speaks for that figure.
+        let goes_on = || {
+            turned(false).any(|user| {
+                let own = graph.computed_if(user, None).map(|own| (user, own));
+                let mut next = graph.stated_users(user).into_iter();
+                next.any(|one| graph.fits_if(one, None) == Some(true) && graph.fits_if(one, own) == Some(false))
+            })
+        };
+        let proven = match (like_table(figure.value), like_table(right)) {
+            (Some(false), Some(true)) => true,
+            (Some(true), Some(false)) => false,
+            _ => turned(false).count() > 1 || goes_on(),
+        };
+        (turned(true).next().is_none() && proven).then_some((right, computed))
+    })
 }
 
 /// The misprint that explains a computed figure. A formula that was got wrong in a usual way needs none, unless the misprint explains

@@ -112,6 +112,8 @@ pub struct Remark {
     pub section: Section,
     /// The figure, with its text.
     pub figure: Option<(Quantity, String)>,
+    /// Whether the proof of a program says it better, where it can be made.
+    pub unless_proven: bool,
 }
 
 impl Stated {

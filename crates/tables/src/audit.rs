@@ -126,6 +126,14 @@ vocabulary! {
         ListSpeedLeast = "list-speed-least",
         /// The same where the speed is that at the step of the spindle.
         ListStepSpeedLeast = "list-step-speed-least",
+        /// The least share of the table's feed that may be an author's own, where one with another decimal point is not.
+        PointLeast = "point-least",
+        /// The largest such share.
+        PointMost = "point-most",
+        /// By which share of its diameter a blind hole is deeper than room for chips explains.
+        FarDeeper = "far-deeper",
+        /// From how many times its largest stock on a row lacks a transition before it.
+        StockOfTwo = "stock-of-two",
     }
 
     /// What must be known of the part of a list of tools for a rule to judge it.

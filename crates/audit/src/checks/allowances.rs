@@ -8,6 +8,7 @@ use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
 use crate::plan::{Operation, Route};
 use crate::route::diameters::{Range, range};
+use crate::tables::audit::Threshold;
 use crate::units::Micrometres;
 
 use super::super::context::Context;
@@ -52,6 +53,7 @@ fn backwards(
         return Ok(());
     }
     let Some(mut after) = left.last().map(|last| finished(context, hole, *last)) else { return Ok(()) };
+    let of_two = context.auditor.threshold(Threshold::StockOfTwo);
     // The diameters that the next row permits this one to leave.
     let mut window = (after, after);
     for index in (0..rows.len()).rev() {
@@ -97,7 +99,7 @@ fn backwards(
             continue;
         }
         if let Some(missing) =
-            missing(context, hole, rows, index).filter(|_| stated.is_none() && stock > high.ratio(3, 2))
+            missing(context, hole, rows, index).filter(|_| stated.is_none() && stock.to_mm() > of_two * high.to_mm())
         {
             findings.push(without(context, of_row, missing, (stock, high), &range));
             (after, window) = (before, (before, before));

@@ -1,7 +1,7 @@
 //! Whether a cutter suits its transition: its kind, diameter and reach, and the bottom of its hole.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note, Severity};
+use crate::note::{Because, Figure, Note, Severity};
 use crate::part::Hole;
 use crate::plan::Operation;
 use crate::reason::{OfOther, Unfit};
@@ -16,7 +16,7 @@ use super::super::finding::{AuditFinding, FindingKind, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
-use super::super::stated::Row;
+use super::super::stated::{Row, StatedFigure};
 use super::reach::Tips;
 
 pub(super) fn check<'a>(
@@ -26,6 +26,7 @@ pub(super) fn check<'a>(
 ) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     let tips = Tips::read(context)?;
+    let mut unsuited_rows = Vec::new();
     for (at, row) in context.stated.rows.iter().enumerate().filter(|(_, row)| !row.elsewhere) {
         let Some(tool) = context.stated.tool_of(row) else { continue };
         let Some(cutter) = context.cutter(tool) else { continue };
@@ -54,12 +55,94 @@ pub(super) fn check<'a>(
             {
                 unsuited.follows_from = diameter(context, graph, at, findings);
             }
+            if unsuited.follows_from.is_empty() {
+                unsuited_rows.push(Unsuited { row: at, tool, finding: findings.len() });
+            }
             findings.push(unsuited);
         } else if let Some(why) = named::other_design_note(cutter, hole.through).filter(|_| row.of_main_cylinder()) {
             findings.push(finding(Severity::Wrong, why));
         }
     }
+    let suits = |at: usize, tool: usize| {
+        let row = context.stated.rows.get(at)?;
+        let need = need(context, graph, &tips, at, row, context.hole(row)?);
+        Some(named::unsuited(context.cutter(tool)?, &need, machine).is_none())
+    };
+    exchanged(context, &unsuited_rows, |at, tool| suits(at, tool) == Some(true), findings);
+    two_sizes(context, &unsuited_rows, findings);
     Ok(())
+}
+
+/// A row whose tool does not suit it, with its finding.
+struct Unsuited {
+    row: usize,
+    tool: usize,
+    finding: usize,
+}
+
+/// Two tools of which each suits the rows of the other are exchanged: one slip, told at the first of these rows.
+fn exchanged(
+    context: &Context<'_>,
+    unsuited: &[Unsuited],
+    suits: impl Fn(usize, usize) -> bool,
+    findings: &mut [AuditFinding],
+) {
+    let mut tools: Vec<usize> = unsuited.iter().map(|one| one.tool).collect();
+    tools.sort_unstable();
+    tools.dedup();
+    let of = |tool: usize| unsuited.iter().filter(move |one| one.tool == tool);
+    for (place, &tool) in tools.iter().enumerate() {
+        let mut others = tools.iter().skip(place + 1).copied();
+        let each = |tool: usize, other: usize| of(tool).all(|one| suits(one.row, other));
+        let Some(other) = others.find(|other| each(tool, *other) && each(*other, tool)) else { continue };
+        let both = || unsuited.iter().filter(|one| [tool, other].contains(&one.tool));
+        let rows: Vec<String> = both().map(|one| context.stated.rows[one.row].number.to_string()).collect();
+        let Some(first) = both().next().and_then(|one| findings.get(one.finding)).cloned() else { continue };
+        let called = |tool: usize| format!("T{}", context.stated.tools[tool].number);
+        let note = Note::new("audit-tools-exchanged").with("tool", called(tool)).with("other", called(other));
+        let note = note.with("rows", rows.join(", "));
+        let mut root = AuditFinding::new(first.severity, first.section, first.field.clone(), note).about(first.subject);
+        (root.file, root.line, root.column, root.because) = (first.file, first.line, first.column, first.because);
+        for (turn, one) in both().enumerate() {
+            let Some(own) = findings.get_mut(one.finding) else { continue };
+            if turn == 0 {
+                *own = root.clone();
+            } else {
+                own.follows_from.push(first.field.clone());
+            }
+        }
+    }
+}
+
+/// A reamer or a core drill leaves one size: ground down for one row, it cannot make another of another size.
+fn two_sizes(context: &Context<'_>, unsuited: &[Unsuited], findings: &mut Vec<AuditFinding>) {
+    // A list may count tools of one designation as one.
+    let numbered = !context.stated.is_own && !context.stated.is_list;
+    for (at, tool) in context.stated.tools.iter().enumerate().filter(|_| numbered) {
+        let sizes: Vec<(usize, &Row, &StatedFigure)> =
+            context.stated.rows_of_tool(tool.number).filter_map(|(row, own)| Some((row, own, size(own)?))).collect();
+        let Some((_, first, first_size)) = sizes.first() else { continue };
+        let other = sizes.iter().find(|(row, _, size)| {
+            (size.value - first_size.value).abs() > 1e-6 && !unsuited.iter().any(|one| one.row == *row)
+        });
+        let Some((row, own, size)) = other else { continue };
+        let note = Note::new("audit-two-sizes")
+            .with("tool", format!("T{}", tool.number))
+            .with("size", Figure::number(size.text.clone()))
+            .with("row", first.number)
+            .with("other", Figure::number(first_size.text.clone()));
+        let place = own.tool.as_ref().map_or(&own.place, |tool| &tool.place);
+        let finding = AuditFinding::new(Severity::Wrong, Section::Tools, format!("route.{}.tool", own.number), note);
+        let mut finding = finding.at(place).about(context.subject(Scope::Row(*row)));
+        finding.subject.tool = context.stated.tools.get(at).map(|tool| tool.number);
+        findings.push(finding);
+    }
+}
+
+/// The size that a row asks of a tool that leaves one size.
+fn size(row: &Row) -> Option<&StatedFigure> {
+    let fixed = row.operation.value.is_reaming() || row.operation.value == Operation::CoreDrill;
+    row.figures.get(&Q::Diameter).filter(|_| fixed && !row.elsewhere)
 }
 
 /// A cutter of another size than its row. The diameter of the row may be the slip, and the cutter is right for it;

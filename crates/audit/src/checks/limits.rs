@@ -10,6 +10,7 @@ use super::super::figures::{shown, with_right_value};
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::roots;
 use super::super::stated::StatedFigure;
 
 pub(super) fn check<'a>(
@@ -17,16 +18,27 @@ pub(super) fn check<'a>(
     graph: &Graph<'a>,
     findings: &mut Vec<AuditFinding>,
 ) -> Result<(), KnowledgeError> {
-    conditions(context, findings)?;
+    conditions(context, graph, findings)?;
     series(context, graph, findings)?;
-    lengths(context, findings)?;
+    lengths(context, graph, findings)?;
     correctors(context, findings);
     magazine(context, findings)?;
     drills(context, findings)
 }
 
+/// The slips that bring a figure beyond a limit which its right value keeps.
+fn slips(context: &Context<'_>, graph: &Graph<'_>, id: Id, most: f64) -> Vec<String> {
+    let keeps = graph.verdict(id).is_some_and(|verdict| verdict.right <= most);
+    let slips = if keeps { roots::figure_roots(graph, id) } else { Vec::new() };
+    slips.into_iter().map(|slip| context.field(slip)).collect()
+}
+
 /// Checks every figure that the machine limits.
-fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
+fn conditions(
+    context: &Context<'_>,
+    graph: &Graph<'_>,
+    findings: &mut Vec<AuditFinding>,
+) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     for (at, conditions) in context.stated.conditions.iter().enumerate() {
         let elsewhere =
@@ -49,7 +61,8 @@ fn conditions(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result
                 .with("quantity", note::Figure::word(bound.name()));
             let field = context.field(Id::new(Scope::Conditions(at), quantity));
             let finding = AuditFinding::new(Severity::Error, Section::Conditions, field, note);
-            let finding = with_right_value(finding, figure, format!("<= {}", shown(most)), quantity);
+            let mut finding = with_right_value(finding, figure, format!("<= {}", shown(most)), quantity);
+            finding.follows_from = slips(context, graph, Id::new(Scope::Conditions(at), quantity), most);
             let because = Because::row(machine.row(bound)?, Note::new("audit-limit"));
             findings.push(finding.about(context.subject(Scope::Conditions(at))).resting_on([because]));
         }
@@ -84,7 +97,7 @@ fn series(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFind
 }
 
 /// An assembly within the largest overhang of the machine.
-fn lengths(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
+fn lengths(context: &Context<'_>, graph: &Graph<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), KnowledgeError> {
     let machine = &context.shop.machine;
     let most = machine.overhang_max.to_mm();
     for (at, tool) in context.stated.tools.iter().enumerate() {
@@ -93,19 +106,21 @@ fn lengths(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<()
             .with("limit", note::Figure::number(shown(most)))
             .with("quantity", note::Figure::word(Bound::ToolOverhangMax.name()));
         let field = context.field(Id::new(Scope::Tool(at), Q::Assembly));
-        let finding = with_right_value(
+        let mut finding = with_right_value(
             AuditFinding::new(Severity::Error, Section::Lengths, field, note),
             figure,
             format!("<= {}", shown(most)),
             Q::Assembly,
         );
+        finding.follows_from = slips(context, graph, Id::new(Scope::Tool(at), Q::Assembly), most);
         let because = Because::row(machine.row(Bound::ToolOverhangMax)?, Note::new("audit-limit"));
         findings.push(finding.about(context.subject(Scope::Tool(at))).resting_on([because]));
     }
     Ok(())
 }
 
-/// Two tools of different lengths with one offset register; a single tool whose register is not its own number.
+/// Two tools of different lengths with one offset register; a single tool whose register is not its own number; two
+/// tools of which each has the register of the other's number.
 fn correctors(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
     let stated = context.stated.tools.iter().enumerate();
     let own: Vec<(usize, u32, &StatedFigure)> =
@@ -120,6 +135,12 @@ fn correctors(context: &Context<'_>, findings: &mut Vec<AuditFinding>) {
         let finding = if let Some(other) = twin.filter(theirs).filter(|_| !is_own(*number, figure)) {
             let note = Note::new("audit-same-corrector").with("corrector", &figure.text);
             AuditFinding::new(Severity::Error, Section::Lengths, field, note.with("other", format!("T{}", other.1)))
+        } else if let Some(other) = others().find(|(other, theirs, register)| {
+            is_own(*theirs, figure) && is_own(*number, register) && other > at && theirs != number
+        }) {
+            let note = Note::new("audit-correctors-exchanged").with("tool", format!("T{number}"));
+            let note = note.with("other", format!("T{}", other.1));
+            AuditFinding::new(Severity::Doubtful, Section::Lengths, field, note)
         } else if !is_own(*number, figure) && own.len() > 2 && others().all(|(_, number, other)| is_own(*number, other))
         {
             let note =

@@ -6,6 +6,7 @@ mod consequences;
 mod cutters;
 mod depths;
 mod designations;
+mod exchanged;
 mod holders;
 mod limits;
 mod loads;
@@ -54,6 +55,7 @@ const CHECKS: &[Check] = &[
     proof::check,
     program::check,
     ours::check,
+    exchanged::check,
     missing::check,
 ];
 

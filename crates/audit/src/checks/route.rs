@@ -82,11 +82,12 @@ fn order(
         let answer = context.shop.knowledge.ask(&TransitionOrderFor { operation, face: false })?;
         let Some(rule) = answer.winner()? else { continue };
         let rank = rule.rank;
-        // A drill after a wider one comes too late, whatever their rank.
+        // A drill after what is wider comes too late, whatever their rank.
         let drills = |row: &Row| matches!(row.operation.value, Operation::Drill | Operation::DrillOut);
         let size = |row: &Row| row.figures.get(&Q::Diameter).map(|figure| figure.value);
         let late = |other: &Row| {
-            drills(row) && drills(other) && size(row).zip(size(other)).is_some_and(|(own, before)| own < before)
+            let opens = !matches!(other.operation.value, Operation::CentreDrill | Operation::Mill);
+            drills(row) && opens && size(row).zip(size(other)).is_some_and(|(own, before)| own < before)
         };
         if let Some((least, other)) = before
             && (rank < least || late(other))

@@ -53,6 +53,7 @@ fn taps(context: &Context<'_>, findings: &mut Vec<AuditFinding>) -> Result<(), K
         return Ok(());
     }
     for (at, row) in context.stated.rows.iter().enumerate() {
+        // Without a tool it is made on another machine.
         let Some(tool) = row.tool.as_ref().filter(|_| row.operation.value == Operation::Tap && !row.elsewhere) else {
             continue;
         };

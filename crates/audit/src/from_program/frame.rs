@@ -26,6 +26,20 @@ fn hole_at(part: &Part, x: Micrometres, y: Micrometres) -> Option<&str> {
     part.holes.iter().find(here).map(|hole| hole.name.as_str())
 }
 
+/// Whether a cut stands at a point of the drawing.
+pub(super) fn is_at(cut: &SeenCut, [x, y]: [Micrometres; 2], shift: Position) -> bool {
+    near(cut.at[0] + shift.x, x) && near(cut.at[1] + shift.y, y)
+}
+
+/// Whether most points of a program are those of the drawing taken for inches.
+pub(super) fn is_in_inches(seen: &[SeenCut], part: &Part) -> bool {
+    let points: BTreeSet<[Micrometres; 2]> = seen.iter().map(|cut| cut.at).collect();
+    let in_mm = |length: Micrometres| length.ratio(10, 254);
+    let own = points.iter().filter(|at| hole_at(part, in_mm(at[0]), in_mm(at[1])).is_some());
+    // A single point at the zero is the same in both.
+    points.len() > 1 && own.count() * 2 > points.len()
+}
+
 /// What is added to the program's coordinates to have the drawing's.
 pub(super) fn shift(seen: &[SeenCut], part: &Part) -> Position {
     let points: BTreeSet<[Micrometres; 2]> = seen.iter().map(|cut| cut.at).collect();

@@ -16,7 +16,7 @@ mod told;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use technolog_note::{Figure, note};
+use technolog_note::{Figure, Note, note};
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
@@ -26,6 +26,7 @@ use crate::motion::{Motion, MotionStep, Position};
 use crate::note::{IntoFigure as _, Severity};
 use crate::part::Part;
 use crate::plan::{CuttingMethod, Operation};
+use crate::program::proof::DeviationFigure;
 use crate::program::seen::{SeenCut, cuts};
 use crate::program::{Language, Setting, Subject};
 use crate::tables::audit::{AuditThresholds, PlanPart, Threshold};
@@ -88,10 +89,16 @@ impl ProgramAlone<'_> {
             return Ok(Err(problem.help(note!("audit-program-no-holes-help"))));
         };
         let shift = if self.part.is_some() { frame::shift(&seen, &of) } else { Position::default() };
+        let in_inches = self.part.is_some() && frame::is_in_inches(&seen, &of);
         let (placed, elsewhere) = frame::placed(seen, &of, shift);
         let drilled = drilled(&of, knowledge)?;
         let meant = operations::meant(&placed, &of, &told, shift, (length(Threshold::SpotOverRadius)?, &drilled));
         let placed: Vec<_> = placed.into_iter().zip(meant).collect();
+        let nowhere = match in_inches {
+            true => self.remark(1, Severity::Error, note!("audit-program-inches")),
+            false => self.remark(1, Severity::Doubtful, note!("audit-program-nowhere", count = elsewhere)),
+        };
+        let elsewhere = if placed.is_empty() { Some(nowhere) } else { self.elsewhere(elsewhere) };
         let mut stated = self.plan(of, &placed, elsewhere, &told, shift, &steps);
         if !has_feeds {
             for conditions in &mut stated.conditions {
@@ -99,6 +106,22 @@ impl ProgramAlone<'_> {
             }
         }
         Ok(Ok(stated))
+    }
+
+    fn remark(&self, line: u32, severity: Severity, note: Note) -> Remark {
+        Remark {
+            place: self.place(line),
+            note,
+            severity,
+            section: Section::Missing,
+            figure: None,
+            unless_proven: false,
+        }
+    }
+
+    /// What is to be said of the points where the drawing has no hole.
+    fn elsewhere(&self, count: usize) -> Option<Remark> {
+        (count > 0).then(|| self.remark(1, Severity::Note, note!("audit-program-elsewhere", count = count)))
     }
 
     fn place(&self, line: u32) -> Place {
@@ -109,7 +132,7 @@ impl ProgramAlone<'_> {
         &self,
         part: Part,
         placed: &[(Placed, Option<Meant>)],
-        elsewhere: usize,
+        elsewhere: Option<Remark>,
         told: &ToldTools,
         shift: Position,
         steps: &[MotionStep],
@@ -142,9 +165,7 @@ impl ProgramAlone<'_> {
         let called = called(steps);
         let tools: Vec<Tool> = numbers.iter().map(|number| self.tool(*number, told, &called)).collect();
         let mut remarks = Vec::new();
-        let graver =
-            |severity, note| Remark { place: self.place(1), note, severity, section: Section::Missing, figure: None };
-        let remark = |note| graver(Severity::Note, note);
+        let remark = |note| self.remark(1, Severity::Note, note);
         if !derived.is_empty() {
             let words = derived.iter().map(|(tool, operation)| {
                 Figure::List(vec![format!("T{tool} ").into_figure(), Figure::operation(operation.name())], "")
@@ -160,16 +181,19 @@ impl ProgramAlone<'_> {
         if !unsized_ones.is_empty() {
             remarks.push(remark(note!("audit-program-unsized", tools = listed(&unsized_ones))));
         }
-        if placed.is_empty() {
-            remarks.push(graver(Severity::Doubtful, note!("audit-program-nowhere", count = elsewhere)));
-        } else if elsewhere > 0 {
-            remarks.push(remark(note!("audit-program-elsewhere", count = elsewhere)));
-        }
+        remarks.extend(elsewhere);
         if shift != Position::default() {
             let note = note!("audit-program-shifted", x = shift.x, y = shift.y, z = shift.z);
             remarks.push(remark(note));
         }
         let whole = untold.is_empty() && self.part.is_some();
+        if self.part.is_some() {
+            remarks.extend(short(&part, placed, shift).into_iter().map(|(line, note)| Remark {
+                section: Section::Program,
+                unless_proven: true,
+                ..self.remark(line, Severity::Error, note)
+            }));
+        }
         let mut scope = vec![PlanPart::Conditions];
         scope.extend(whole.then_some(PlanPart::Holes));
         scope.extend(tools.iter().any(|tool| tool.designation.is_some()).then_some(PlanPart::Tools));
@@ -281,6 +305,37 @@ impl ProgramAlone<'_> {
             figures,
         }
     }
+}
+
+/// The points of groups at which some tool works and none goes down to the depth of the hole, whatever the tools are: for
+/// each such group the line of its deepest cut there, 1 where there is none. Where it is known what every tool is, the proof says more.
+fn short(part: &Part, placed: &[(Placed, Option<Meant>)], shift: Position) -> Vec<(u32, Note)> {
+    let mut found = Vec::new();
+    for hole in part.holes.iter().filter(|hole| placed.iter().any(|(own, _)| own.hole == hole.name)) {
+        let mut points = Vec::new();
+        let mut deepest: Option<(Micrometres, u32)> = None;
+        for point in hole.at.iter().map(|at| [at.x, at.y]) {
+            let here = placed.iter().filter(|(own, _)| own.hole == hole.name && frame::is_at(&own.cut, point, shift));
+            let depth = |cut: &SeenCut| part.datum.top - (cut.deepest + shift.z);
+            let own = here.map(|(own, _)| (depth(&own.cut), own.cut.block.line)).max();
+            if own.is_none_or(|(depth, _)| depth < hole.depth) {
+                points.push(point);
+                deepest = deepest.max(own);
+            }
+        }
+        if !points.is_empty() {
+            let (reached, line) = deepest.unwrap_or((Micrometres::ZERO, 1));
+            let note = note!(
+                "audit-program-short",
+                hole = Figure::called(&hole.name),
+                points = DeviationFigure::Points(points),
+                reached = reached,
+                depth = hole.depth
+            );
+            found.push((line, note));
+        }
+    }
+    found
 }
 
 /// A figure of the program.

@@ -53,7 +53,9 @@ fn one(
     let own = placed.get(at)?;
     let here = |other: &&Placed| other.hole == own.hole && other.cut.at == own.cut.at;
     let of = |other: &Placed| told.of(other.cut.tool).and_then(|tool| tool.kind);
-    let before: Vec<&Placed> = placed.iter().take(at).filter(here).collect();
+    // A tool that comes to a point again does there what it did.
+    let other_tool = |other: &&Placed| here(other) && other.cut.section != own.cut.section;
+    let before: Vec<&Placed> = placed.iter().take(at).filter(other_tool).collect();
     let after: Vec<&Placed> = placed.iter().skip(at + 1).filter(here).collect();
     let hole = part.holes.iter().find(|hole| hole.name == own.hole)?;
     let depth = part.datum.top - (own.cut.deepest + shift.z);

@@ -57,7 +57,14 @@ impl Reader<'_> {
         let note = note!("audit-impossible", text = figure.text, name = name, must = must);
         let figure_of = Some((quantity, figure.text.clone()));
         let place = figure.place.clone();
-        self.remarks.push(Remark { place, note, severity: Severity::Wrong, section, figure: figure_of });
+        self.remarks.push(Remark {
+            place,
+            note,
+            severity: Severity::Wrong,
+            section,
+            figure: figure_of,
+            unless_proven: false,
+        });
         let (value, text) = (-figure.value, figure.text.trim_start_matches(['-', '−']).to_owned());
         (range.holds(value) && is_whole(value)).then_some(StatedFigure { value, text, ..figure })
     }

@@ -84,7 +84,8 @@ pub fn read_table(
     stated.is_list = tabled.is_list;
     stated.unsaid = tabled.unsaid;
     let severity = crate::note::Severity::Note;
-    let remark = |(place, note)| Remark { place, note, severity, section: Section::Missing, figure: None };
+    let remark =
+        |(place, note)| Remark { place, note, severity, section: Section::Missing, figure: None, unless_proven: false };
     stated.remarks.extend(tabled.remarks.into_iter().map(remark));
     Ok(stated)
 }

@@ -286,7 +286,7 @@ fn feed_of_size(context: &Context<'_>, at: usize) -> Result<Option<f64>, Knowled
     let first = stated.conditions.get(at).and_then(|own| own.rows.first().copied());
     let Some((first, row)) = first.and_then(|first| Some((first, stated.rows.get(first)?))) else { return Ok(None) };
     let reamed = row.hole.as_ref().is_some_and(|hole| stated.reamer_follows(&hole.value, first));
-    if reamed || !matches!(row.operation.value, Operation::Drill | Operation::DrillOut) {
+    if reamed || !matches!(row.operation.value, Operation::CentreDrill | Operation::Drill | Operation::DrillOut) {
         return Ok(None);
     }
     let Some(cut) = handbook::cut(context, at)? else { return Ok(None) };

@@ -6,7 +6,7 @@ use crate::part::Hole;
 use crate::plan::Operation;
 use crate::units::Micrometres;
 
-use super::super::backed::backed;
+use super::super::backed::{backed, diameter};
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
@@ -30,7 +30,7 @@ fn is_of_another_tool(context: &Context<'_>, at: usize, tool: usize, hole: &Hole
     let (row, figures) = (&context.stated.rows[at], &context.stated.tools[tool].figures);
     let of_catalog = context.cutter(tool).and_then(|cutter| cutter.row.diameter);
     let of_tool = of_catalog.or_else(|| Some(Micrometres::from_mm_rounded(figures.get(&Q::Diameter)?.value)));
-    let own = row.figures.get(&Q::Diameter).map(|own| Micrometres::from_mm_rounded(own.value));
+    let own = diameter(context, at, row);
     Ok(own.zip(of_tool).is_some_and(|(own, of_tool)| own != of_tool) && backed(context, at, row, hole)?)
 }
 

@@ -85,7 +85,8 @@ pub(crate) fn slip_of_speed(context: &Context<'_>, at: usize) -> Result<Option<(
     let as_meant = judged(context, id(Q::Feed), minute / own.spindle_rpm.0, table)?;
     let away = |value: f64, ours: f64| libm::log(value / ours).abs();
     let farther = away(rpm, own.spindle_rpm.0) > away(minute, own.feed_mm_per_min.0);
-    Ok((as_meant.is_none() && farther).then_some((off.severity, own.spindle_rpm.0)))
+    let better = as_meant.is_none_or(|meant| meant.severity > off.severity);
+    Ok((better && farther).then_some((off.severity, own.spindle_rpm.0)))
 }
 
 /// The feed of conditions as it was meant: as stated, or that of the table where the stated one is wrong by it.

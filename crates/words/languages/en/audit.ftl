@@ -8,6 +8,13 @@ audit-bought = the catalog of this designation has { $own } mm: bought for the r
 audit-no-such-reference = no assembly has that length: the reference tool is one of the plan's assemblies
 audit-sign-by-g44 = the sign for G44; neither plan nor program says G43 or G44; for G43 it is the opposite one
 audit-other-corrector = { $tool } uses offset register { $corrector }, but every other tool uses the register of its own number
+audit-tools-exchanged = { $tool } and { $other } are exchanged: each suits what the other is to make (rows { $rows })
+audit-two-sizes = { $tool } is to leave Ø{ $size } here and Ø{ $other } in row { $row }: one tool of this kind leaves one size
+audit-correctors-exchanged = { $tool } and { $other } have each the offset register of the other's number
+audit-exchanged = it is exchanged with that of row { $other }
+audit-exchanged-tool = it is exchanged with that of T{ $other }
+audit-program-short = { $hole }: no cut goes down to { $depth } mm at { $points }; the deepest there is { $reached } mm deep
+audit-program-inches = the points of the program are those of the drawing in inches: G21 is missing, or G20 too many
 audit-by-table = { $share } % of the { $value } that the tables give
 audit-clamp-not-largest = it was computed for M = { $torque }, but the largest force is needed by row { $row }: M = { $other }
 audit-mistake = this is what comes out if { $mistake }

@@ -8,6 +8,13 @@ audit-bought = каталог цього позначення має { $own } м
 audit-no-such-reference = довжини такого комплекту немає: еталонний інструмент – один із комплектів плану
 audit-sign-by-g44 = знак для G44; ні план, ні програма не кажуть, G43 чи G44, а для G43 він протилежний
 audit-other-corrector = { $tool } має коректор { $corrector }, а решта інструментів – коректор свого номера
+audit-tools-exchanged = { $tool } і { $other } переплутано: кожен годиться для того, що має робити інший (рядки { $rows })
+audit-two-sizes = { $tool } має лишити тут Ø{ $size }, а в рядку { $row } – Ø{ $other }: такий інструмент лишає один розмір
+audit-correctors-exchanged = { $tool } і { $other } мають кожен коректор з номером іншого
+audit-exchanged = переплутано з тим, що в рядку { $other }
+audit-exchanged-tool = переплутано з тим, що в T{ $other }
+audit-program-short = { $hole }: на глибину { $depth } мм у { $points } не йде жоден різ; найглибший там – { $reached } мм
+audit-program-inches = точки програми – це точки креслення в дюймах: бракує G21 або зайвий G20
 audit-by-table = { $share } % від { $value }, що дають таблиці
 audit-clamp-not-largest = рахували для M = { $torque }, а найбільшої сили закріплення потребує рядок { $row }: M = { $other }
 audit-mistake = саме стільки виходить, якщо { $mistake }

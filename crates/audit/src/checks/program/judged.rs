@@ -10,7 +10,7 @@ use crate::note::{Note, Severity};
 use crate::plan::{Operation, Plan, Transition};
 use crate::program::Setting;
 use crate::program::proof::{self, Code, Name};
-use crate::tables::audit::{ProgramAloneCaps, ProgramTolerance};
+use crate::tables::audit::{ProgramAloneCaps, ProgramTolerance, Threshold};
 use crate::units::Micrometres;
 
 use super::super::super::context::Context;
@@ -101,14 +101,14 @@ impl<'k> Caps<'k> {
 enum Deeper {
     /// It is not, or by no more than room for chips and the lead of a reamer.
     No,
-    /// By more than half its width.
+    /// By more than room for chips.
     Far,
     /// Out of the part.
     Out,
 }
 
 fn deeper(context: &Context<'_>, deviation: &proof::ProgramFinding) -> Deeper {
-    let part = &context.stated.part;
+    let (part, far) = (&context.stated.part, context.auditor.threshold(Threshold::FarDeeper));
     let hole = deviation.hole().and_then(|name| part.holes.iter().find(|hole| hole.name == name));
     let Some((hole, made)) = hole.filter(|hole| !hole.through).zip(deviation.length(Name::Made)) else {
         return Deeper::No;
@@ -117,7 +117,7 @@ fn deeper(context: &Context<'_>, deviation: &proof::ProgramFinding) -> Deeper {
         Some(needed) if deviation.code == Code::Deeper => {
             if made <= part.datum.top - part.blank.thickness {
                 Deeper::Out
-            } else if needed - made > hole.diameter.nominal.half() {
+            } else if (needed - made).to_mm() > far * hole.diameter.nominal.to_mm() {
                 Deeper::Far
             } else {
                 Deeper::No

@@ -25,7 +25,7 @@ use crate::units::Micrometres;
 
 use super::super::auditor::SimulatedProgram;
 use super::super::context::Context;
-use super::super::finding::{AuditFinding, Section};
+use super::super::finding::{AuditFinding, FindingKind, Section};
 use super::super::graph::{Graph, Status};
 use super::super::quantity::Quantity as Q;
 use super::super::stated::Alone;
@@ -93,6 +93,7 @@ pub(super) fn check<'a>(
     };
     match (as_stated, job) {
         (Ok(plan), Some(job)) if is_run(&run.faults, &run.steps) => {
+            findings.retain(|finding| finding.kind != FindingKind::UnlessProven);
             judged::setting(context, graph, &plan, &setting, &mut seen);
             let deviations = proven(context, &plan, &job, &set, &run)?;
             // Where the program agrees with the corrected plan, a deviation follows from the slips of the plan.
