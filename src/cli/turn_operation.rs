@@ -11,7 +11,7 @@ use technolog::note::{Finding, Note, Severity};
 use technolog::report;
 use technolog::turning::jobs::Work;
 use technolog::turning::operation::gauging::gauges;
-use technolog::turning::operation::programs::{Form, OperationProgram, Remarks, programs_named};
+use technolog::turning::operation::programs::{Form, OperationProgram, Remarks, programs, programs_named};
 use technolog::turning::operation::setting;
 use technolog::turning::operation::times::{Times, loading, times};
 use technolog::turning::operation::tool_table;
@@ -101,7 +101,9 @@ pub fn page(
     format: Format,
     context: &Context,
 ) -> Result<Outcome, CliError> {
-    let operation = plan(workpiece, knowledge, context)?;
+    let mut operation = plan(workpiece, knowledge, context)?;
+    let refused = refusals(&operation, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    operation.findings.extend(refused);
     let times = times(&operation, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     let norm = norm(&operation, &times, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     let answer = Answer { operation: &operation, times: &times, norm: norm.as_ref() };
@@ -121,6 +123,27 @@ pub fn page(
         }
     }
     Ok(if operation.has_errors() { Outcome::Findings } else { Outcome::Done })
+}
+
+/// That a program of an operation would be refused, although nothing else is wrong with it: its page ends as its programs do.
+fn refusals(operation: &Operation, knowledge: &Knowledge) -> Result<Vec<Finding>, KnowledgeError> {
+    if operation.has_errors() {
+        return Ok(Vec::new());
+    }
+    let control = Control::Linuxcnc.name();
+    let mut findings = Vec::new();
+    for program in programs(operation, control, Form::Motions, None, knowledge)? {
+        let why = match program.files {
+            Err(why) => Some(why).filter(NotWritten::is_found),
+            Ok(files) => turned::read_back(operation, program.set_up, control, &files, knowledge)?
+                .map(|why| NotWritten::Unsafe { why }),
+        };
+        let note = |why: NotWritten| {
+            Note::new("turned-program-refused").with("number", program.set_up).with("why", why.note())
+        };
+        findings.extend(why.map(|why| Finding::of_part(Severity::Wrong, note(why))));
+    }
+    Ok(findings)
 }
 
 /// The requested program of an operation.

@@ -102,6 +102,7 @@ pub(crate) const WORDS: &[(&str, &str)] = &[
     ("внутрішній", "inner"),
     ("закріплення", "holding clamping"),
     ("термообробка", "heat_treatment"),
+    ("кулачки", "jaws"),
     ("обдирання", "roughing"),
     ("припуски", "allowances"),
     ("припуск", "allowance"),

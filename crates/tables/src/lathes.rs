@@ -49,6 +49,9 @@ vocabulary! {
         ToolChangeTime = "tool-change-time",
         SpindleStartTime = "spindle-start-time",
         LoadTime = "load-time",
+        JawWidthShare = "jaw-width-share",
+        FullGripArc = "full-grip-arc",
+        UnsaidGrade = "unsaid-grade",
     }
 }
 

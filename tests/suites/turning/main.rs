@@ -17,6 +17,7 @@ mod equidistant;
 mod everyday;
 mod extremes;
 mod fields;
+mod gripped;
 mod hand_written;
 mod limit;
 mod operation;

@@ -62,7 +62,7 @@ fn a_slender_shaft_is_finished_by_what_presses_least() {
     let answer: serde_json::Value = serde_json::from_str(&json).unwrap();
     let jobs = answer["set_ups"][0]["jobs"].as_array().unwrap();
     let finish = jobs.iter().find(|job| job["work"] == "finish").unwrap();
-    assert_eq!(finish["tool"]["designation"], "SVJBR 2525M16");
+    assert_eq!(finish["tool"]["designation"], "SVJBR 2020K16");
     let conditions = &finish["conditions"];
     let (force, feed) =
         (conditions["radial_force_n"].as_f64().unwrap(), conditions["feed_mm_per_rev"].as_f64().unwrap());

@@ -164,6 +164,17 @@ vocabulary! {
         ChuckAndCentre = "chuck-and-centre",
     }
 
+    /// The jaws that hold the part.
+    #[derive(Default, Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum JawKind {
+        /// Three jaws; soft ones on a finished surface.
+        #[default]
+        Three = "three",
+        /// Soft jaws that close nearly all around, for thin walls.
+        FullGrip = "full-grip",
+    }
+
     /// Whether and when the blank is heat-treated.
     #[derive(Default, Serialize, Deserialize, JsonSchema)]
     #[serde(rename_all = "kebab-case")]

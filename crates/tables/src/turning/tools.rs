@@ -165,13 +165,6 @@ rows! {
         roughness: Roughness,
     }
 
-    /// Strength factor of the finish turning feed.
-    pub struct TurningFinishFeedStrength of One("turning-finish-feed-strength") asked by TurningFinishFeedStrengthFor {
-        strength: Megapascals,
-    } {
-        factor: f64,
-    }
-
     /// Finish turning feed by roughness, the other cells.
     pub struct TurningFinishFeed of One("turning-finish-feed") asked by TurningFinishFeedFor<'t> {
         roughness: Roughness,

@@ -42,6 +42,8 @@ technolog_knowledge::vocabulary! {
         PartStrength = "part-strength",
         /// The pull of the cut is more than the jaws hold.
         Grip = "grip",
+        /// The cut tips the part out of the jaws.
+        Tipping = "tipping",
         /// The depth would be more than the radius of the part.
         PartRadius = "part-radius",
         /// The end of the handbook's feeds and formulas.
@@ -139,6 +141,9 @@ enum Measure {
     Across(Component),
     /// The main force and the component along the axis, together, at the diameter that the jaws grip.
     Pull(Component, Micrometres),
+    /// The moment that tips the part out of the jaws: of the main force and the components across and along the axis, at a distance
+    /// from the middle of the grip, mm.
+    Tip(Component, Component, f64),
     Torque,
     Power,
     Depth,
@@ -221,6 +226,11 @@ impl Check {
                 let along = forces.at(component, depth, speed)?;
                 Load::ForceN(pull(torque(main()?, cut.diameter), along, grips))
             }
+            Measure::Tip(across, along, lever) => {
+                let [across, along] = [across, along].map(|one| forces.at(one, depth, speed));
+                let radius = cut.diameter.to_mm() / 2.0;
+                Load::TorqueNM(tipping(main()?, across?, along?, lever, if cut.is_inner() { -radius } else { radius }))
+            }
             Measure::Torque => Load::TorqueNM(torque(main()?, cut.diameter)),
             Measure::Power => Load::PowerKw(power(main()?, speed)),
             Measure::Depth => Load::DepthMm(depth),
@@ -270,6 +280,13 @@ pub(super) fn checks(
         let capacity = Load::ForceN(grip.most);
         let check = Check { bound: Bound::Grip, measure, capacity, because: grip.because.clone() };
         tried.push((Bound::Grip, Some(along), Ok(check)));
+        let across = across_part(cut);
+        let known = forces.law(across).is_ok() && forces.law(along).is_ok();
+        if let Some(tips) = grip.tips.filter(|_| known && !cut.tool.plunges()) {
+            let (measure, capacity) = (Measure::Tip(across, along, tips.lever_mm), Load::TorqueNM(tips.most));
+            let check = Check { bound: Bound::Tipping, measure, capacity, because: grip.because.clone() };
+            tried.push((Bound::Tipping, Some(Component::Main), Ok(check)));
+        }
     }
     let (mut checks, mut missing) = (Vec::new(), Vec::new());
     if let Some(part) = cut.part.filter(|_| !cut.is_inner()) {
@@ -440,8 +457,27 @@ pub struct GripLimit {
     pub grips: Micrometres,
     /// The largest pull at that diameter.
     pub most: Newtons,
+    /// What tips it out of them; none where a centre or a rest holds it, too.
+    pub tips: Option<TipLimit>,
     /// The rows behind it.
     pub because: Vec<Because>,
+}
+
+/// What jaws hold against tipping.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TipLimit {
+    /// From the middle of the grip to the free end, where a cut tips most, mm.
+    pub lever_mm: f64,
+    /// The largest moment.
+    pub most: NewtonMetres,
+}
+
+/// The moment, N·m, that a cut at a radius (below zero in a bore) and a distance from the middle of the grip tips a part with: that of
+/// the main force, and across it that of the force across the axis less that of the force along it, which presses towards the chuck:
+/// √((Pz·l)² + (Pa·l − Pl·r)²).
+pub fn tipping(main: Newtons, across: Newtons, along: Newtons, lever_mm: f64, radius_mm: f64) -> NewtonMetres {
+    let (up, aside) = (main.0 * lever_mm, across.0 * lever_mm - along.0 * radius_mm);
+    NewtonMetres(libm::sqrt(up * up + aside * aside) / 1000.0)
 }
 
 /// The pull at a diameter of the jaws by a torque and a force along the axis: √((2·M/d)² + P²), N, with M in N·mm.

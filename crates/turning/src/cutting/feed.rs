@@ -2,13 +2,11 @@
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::contract::TableRow;
-use crate::knowledge::units::Megapascals;
 use crate::knowledge::{Column, Knowledge, Question};
 use crate::note::{Because, Note};
 use crate::tables::cutting::{BoringFinishFeedFor, GroovingFeedFor, TurningBoringFeedFor, TurningRoughFeedFor};
 use crate::tables::turning::tools::{
-    InsertNoseFeed, Limit, TurningCutBackFor, TurningFinishFeedFor, TurningFinishFeedStrengthFor,
-    TurningRoughnessUnsaidFor,
+    InsertNoseFeed, Limit, TurningCutBackFor, TurningFinishFeedFor, TurningRoughnessUnsaidFor,
 };
 use crate::turning::tooling::{Shank, ToolKind, TurningTool};
 use crate::units::{Degrees, ItGrade, Micrometres, MillimetresPerRev, Roughness};
@@ -87,8 +85,7 @@ pub fn is_nose_bound(because: &Because) -> bool {
 }
 
 /// The feed that leaves a roughness, by the nose radius: nine cells are from `boring-finish-feed`, the others from
-/// `turning-finish-feed`, for steel multiplied by `turning-finish-feed-strength`. Between two columns the finer one,
-/// between two radii the smaller one is taken. It is never above what nose and roughness leave by geometry:
+/// `turning-finish-feed`. Between two columns the finer one, between two radii the smaller one is taken. It is never above what nose and roughness leave by geometry:
 ///
 /// s ≤ √(31.2·Ra·r/(1000·k)), mm/rev, with Ra in µm, r in mm and k of `turning-limits`, the ratio of real to
 /// theoretical roughness (Ra = 1000·s²/(31.2·r)).
@@ -115,12 +112,6 @@ pub fn finish_feed(cut: &TurningCut<'_, '_>, roughness: Roughness) -> Tried<Feed
         }
     };
     let mut because = vec![Because::row(row, Note::new("turning-finish-feed").with("feed", feed))];
-    if cut.material.group == "steel" {
-        let question = TurningFinishFeedStrengthFor { strength: Megapascals(cut.material.strength) };
-        let rule = cut.knowledge.ask(&question)?.need("this strength")?;
-        feed *= rule.factor;
-        because.push(Because::row(rule.row, Note::new("feed-strength-factor").with("factor", rule.factor)));
-    }
     let (factor, of_factor) = bounds::ratio(cut.knowledge, Limit::RoughnessPracticeFactor)?;
     let most = feed_of_nose(asked, nose, factor).0;
     if most < feed {

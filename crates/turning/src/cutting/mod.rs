@@ -4,6 +4,7 @@
 //! - `laws` makes power laws of depth and speed from the coefficient tables, for one cut and one feed;
 //! - `speed` compares the formula of the speed with the speeds used in shops;
 //! - [`rough_feed`] and [`finish_feed`] take feeds from their tables;
+//! - `ring` is a hollow part pressed by its jaws;
 //! - `stiffness` is the deflection of a part in chuck or centres;
 //! - `bounds` has the limits of tool and lathe, [`limiting_depth`] the largest depth within all of them;
 //! - [`conditions`] is feed, speed, spindle step and forces at a given depth.
@@ -16,6 +17,7 @@ mod feed;
 mod laws;
 mod limit;
 mod refusal;
+mod ring;
 mod speed;
 pub mod stiffness;
 
@@ -29,7 +31,7 @@ use crate::turning::tooling::{Lathe, Place, TurningTool};
 use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
 
-pub use bounds::{Bound, GripLimit, Load, UnknownBound, deepest_edge, pull};
+pub use bounds::{Bound, GripLimit, Load, TipLimit, UnknownBound, deepest_edge, pull, tipping};
 pub use bounds::{
     bar_clearance, bar_overhang, bar_reaches, jaw_clearance, largest_overhang, least_sensible_depth, soft_jaw_share,
     wall_share,
@@ -38,6 +40,7 @@ pub use conditions::{TurningConditions, conditions, within_part};
 pub use feed::{Feed, cuts_back, feed_of_nose, finish_feed, is_nose_bound, rough_feed, unsaid_roughness};
 pub use limit::{BoundTold, LimitingDepth, limiting_depth};
 pub use refusal::{BarTooLong, CuttingRefusal, FigureOwner, MissingFigure, NonPositive, Process};
+pub use ring::PressedRing;
 pub use stiffness::{Flexibility, HeldPart, PartSection};
 
 /// A cut: tool, material, lathe and place.

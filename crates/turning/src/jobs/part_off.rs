@@ -25,8 +25,12 @@ use super::{Job, JobTool, Pace, Work};
 pub struct Parting {
     /// The diameter of the bar at the cut.
     pub bar: Micrometres,
+    /// The diameter of a solid bar that is as deep: of a tube twice its wall.
+    pub solid: Micrometres,
     /// The diameter of the bore that the blade reaches; zero in solid metal.
     pub bore: Micrometres,
+    /// The widest bore behind which the part hangs by its last wall: the feed is slow from there on.
+    pub breaks: Micrometres,
     /// Z of the far face, with its allowance; the blade cuts behind it.
     pub face: Half,
     /// Z of the front of the jaws, if known.
@@ -82,7 +86,8 @@ pub fn part_off(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     let inner = Half::radius_of(parting.bore);
     // Its round corner must pass the axis, or a pip as high as the corner radius remains.
     let end = inner - nose;
-    let slow_from = (inner + Half::of(limits.length(JobLimit::PartingSlowFrom)?)).min(Half::radius_of(parting.bar));
+    let breaks = Half::radius_of(parting.breaks.max(parting.bore));
+    let slow_from = (breaks + Half::of(limits.length(JobLimit::PartingSlowFrom)?)).min(Half::radius_of(parting.bar));
     let at = |radius: Half| Point { radius, z: lead };
     let mut path = Toolpath::at(at(parting.clear));
     path.go(at(slow_from), Purpose::Plunge);
@@ -112,8 +117,8 @@ fn blade<'k>(
     limits: &mut Limits<'k>,
     bench: &Bench<'_, 'k>,
 ) -> Tried<(TurningTool<'k>, Micrometres, Vec<Because>), NoJob> {
-    let asked = bench.knowledge.ask(&PartingBladeFor { diameter: parting.bar })?;
-    let least = asked.need(&parting.bar.to_string())?.width;
+    let asked = bench.knowledge.ask(&PartingBladeFor { diameter: parting.solid })?;
+    let least = asked.need(&parting.solid.to_string())?.width;
     let over_width = limits.ratio(JobLimit::PartingDepth)?;
     let mut tools = bench.tools(ToolKind::Grooving, Place::Outer)?;
     // The shank of a right-hand tool is on the side of the part, away from the jaws.
@@ -129,7 +134,7 @@ fn blade<'k>(
             let taken = Because::row(tool.row, Note::new("job-tool-taken").with("tool", tool.designation));
             let rule = Because::answer(
                 &asked.answer,
-                Note::new("parting-blade").with("bar", parting.bar).with("width", least),
+                Note::new("parting-blade").with("bar", parting.solid).with("width", least),
             );
             return Ok((tool, width, vec![taken, rule]));
         }
@@ -146,7 +151,9 @@ mod tests {
     fn job(bar: i64, bore: i64, jaws: f64) -> Result<Job, NoJob> {
         let parting = Parting {
             bar: Micrometres::from_mm(bar),
+            solid: Micrometres::from_mm(bar),
             bore: Micrometres::from_mm(bore),
+            breaks: Micrometres::ZERO,
             face: Half::from(40.5),
             jaws: Some(Half::from(jaws)),
             clear: Half::from(20.0),

@@ -54,7 +54,7 @@ impl Pace {
 
 /// What conditions exceed; the grip of the jaws is a finding of the set-up.
 fn exceeded(conditions: &TurningConditions) -> Vec<Bound> {
-    conditions.exceeded.iter().copied().filter(|bound| *bound != Bound::Grip).collect()
+    conditions.exceeded.iter().copied().filter(|bound| !matches!(bound, Bound::Grip | Bound::Tipping)).collect()
 }
 
 /// The cut over a zone.
@@ -93,10 +93,11 @@ pub fn depth(
         return Ok(None);
     };
     let mut found = Refusal::split(sensible(&cut, task.stock))?;
-    // What a chuck holds is no figure of its own record: it makes passes shallower, but never forbids them.
+    // What a chuck holds is no figure of its own record: it makes passes as shallow as roughing is, but never forbids them.
     let least = Half::of(least_sensible_depth(bench.knowledge)?);
     if cut.grip.is_some() && found.as_ref().map_or(true, |(_, depth)| *depth < least) {
-        found = Refusal::split(sensible(&TurningCut { grip: None, ..cut }, task.stock))?;
+        let freely = Refusal::split(sensible(&TurningCut { grip: None, ..cut }, task.stock))?;
+        found = freely.map(|(limit, depth)| (limit, depth.min(least)));
     }
     match found {
         Ok((mut limit, depth)) => {

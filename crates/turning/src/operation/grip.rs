@@ -6,9 +6,12 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::tables::lathes::{LatheWorkholding, WorkholdingFigure as Row};
-use crate::turning::cutting::{GripLimit, pull as turning_pull};
+use crate::turning::contour::Side;
+use crate::turning::cutting::{GripLimit, TipLimit, pull as turning_pull, tipping};
 use crate::turning::jobs::{Job, Work};
-use crate::units::{Micrometres, Newtons};
+use crate::turning::length::Half;
+use crate::turning::toolpath::Purpose;
+use crate::units::{Micrometres, NewtonMetres, Newtons};
 
 use super::jaws::Jaws;
 
@@ -21,6 +24,18 @@ pub struct Grip {
     pub pull_n: Newtons,
     /// What the jaws must press with.
     pub required_n: Newtons,
+    /// The largest moment that tips the part out of them; none where a centre or a rest holds it, too.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tips_n_m: Option<NewtonMetres>,
+    /// The moment that they hold for each newton of their force, mm.
+    #[serde(skip)]
+    pub seat_mm: f64,
+    /// The length that they grip.
+    #[serde(skip)]
+    pub over: Half,
+    /// Z of their front.
+    #[serde(skip)]
+    pub front: Half,
     /// What a chuck of that size presses with, where the size is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub given_n: Option<Newtons>,
@@ -37,21 +52,40 @@ impl Grip {
     ///
     /// At the jaws the cut pulls around with 2·M/d and along the axis with the force on that way, together
     /// √((2·M/d)² + P²), N, with the torque M in N·mm and d in mm. Friction holds it if S·pull ≤ μ·F (the form of VDI
-    /// 3106 without tilting and loss by speed); S and μ are rows of `chuck-and-tailstock`, μ by hard or soft jaws.
+    /// 3106 without loss by speed); S and μ are rows of `chuck-and-tailstock`, μ by hard or soft jaws.
+    ///
+    /// A part that nothing but its jaws holds is tipped out of them, too. Each of three jaws presses with F/3; against a moment M its
+    /// pressure moves by half of its length a at most, and its friction acts along the axis at d/2. With the jaws as they stand worst,
+    /// Σ|cos| = √3 over them: S·M ≤ F·(a + μ·d)/(2·√3) (statics; makers' manuals of chucks, such as Forkardt 3QLC, p. 28, ask for a force
+    /// against tipping beside that of driving and print no more).
     ///
     /// # Errors The knowledge base lacks a row.
-    pub fn of(jaws: Option<&Jaws>, jobs: &[Job], knowledge: &Knowledge) -> Result<Option<Self>, KnowledgeError> {
+    pub fn of(
+        jaws: Option<&Jaws>,
+        alone: bool,
+        jobs: &[Job],
+        knowledge: &Knowledge,
+    ) -> Result<Option<Self>, KnowledgeError> {
         let Some(jaws) = jaws.filter(|jaws| jaws.grips_mm > Micrometres::ZERO) else { return Ok(None) };
         let Some(pull) = jobs.iter().filter_map(|job| pull(job, jaws.grips_mm)).max_by(f64::total_cmp) else {
             return Ok(None);
         };
         let held = Self::holds(jaws, knowledge)?;
+        let seat_mm = held.seat_mm(jaws);
         let Held { friction, safety, given_n, because } = held;
-        let required_n = Newtons(safety * pull / friction);
+        let middle = jaws.front_mm.to_mm() + jaws.length_mm.to_mm() / 2.0;
+        let tips = jobs.iter().filter_map(|job| tips(job, middle)).max_by(|one, other| one.0.total_cmp(&other.0));
+        let tips_n_m = tips.filter(|_| alone);
+        let upright = tips_n_m.map_or(0.0, |moment| safety * moment.0 * 1000.0 / seat_mm);
+        let required_n = Newtons((safety * pull / friction).max(upright));
         Ok(Some(Self {
             grips_mm: jaws.grips_mm,
             pull_n: Newtons(pull),
             required_n,
+            tips_n_m,
+            seat_mm,
+            over: jaws.length_mm,
+            front: jaws.front_mm,
             given_n,
             friction,
             safety,
@@ -59,14 +93,37 @@ impl Grip {
         }))
     }
 
-    /// What jaws hold, as a limit of the cuts; none where the size of the chuck is not known.
+    /// What the jaws must press with for a job alone; none if its forces are not known.
+    pub fn required_by(&self, job: &Job) -> Option<Newtons> {
+        let slips = self.safety * pull(job, self.grips_mm)? / self.friction;
+        let middle = self.front.to_mm() + self.over.to_mm() / 2.0;
+        let tips = tips(job, middle).filter(|_| self.tips_n_m.is_some());
+        Some(Newtons(slips.max(tips.map_or(0.0, |moment| self.safety * moment.0 * 1000.0 / self.seat_mm))))
+    }
+
+    /// What jaws hold, as a limit of the cuts: the force of the chuck, or what the wall of the part bears of it; none where neither is
+    /// known.
     ///
     /// # Errors The knowledge base lacks a row.
-    pub fn limit(jaws: Option<&Jaws>, knowledge: &Knowledge) -> Result<Option<GripLimit>, KnowledgeError> {
+    pub fn limit(
+        jaws: Option<&Jaws>,
+        bears: Option<Newtons>,
+        alone: bool,
+        knowledge: &Knowledge,
+    ) -> Result<Option<GripLimit>, KnowledgeError> {
         let Some(jaws) = jaws.filter(|jaws| jaws.grips_mm > Micrometres::ZERO) else { return Ok(None) };
-        let Held { friction, safety, given_n, because } = Self::holds(jaws, knowledge)?;
-        let most = given_n.map(|given| Newtons(given.0 * friction / safety));
-        Ok(most.map(|most| GripLimit { grips: jaws.grips_mm, most, because }))
+        let held = Self::holds(jaws, knowledge)?;
+        let seat_mm = held.seat_mm(jaws);
+        let Held { friction, safety, given_n, because } = held;
+        let Some(given) = [given_n, bears].into_iter().flatten().min_by(|one, other| one.0.total_cmp(&other.0)) else {
+            return Ok(None);
+        };
+        let tips = TipLimit {
+            lever_mm: jaws.front_mm.to_mm() + jaws.length_mm.to_mm() / 2.0,
+            most: NewtonMetres(given.0 * seat_mm / safety / 1000.0),
+        };
+        let most = Newtons(given.0 * friction / safety);
+        Ok(Some(GripLimit { grips: jaws.grips_mm, most, tips: Some(tips).filter(|_| alone), because }))
     }
 
     /// Friction, safety and force of jaws.
@@ -94,6 +151,14 @@ impl Grip {
 
     /// What is told of it.
     pub fn note(&self) -> Note {
+        if let Some(moment) = self.decides_tipping() {
+            return Note::new("grip-required-upright")
+                .with("grips", self.grips_mm)
+                .with("force", thousands(self.required_n))
+                .with("moment", crate::units::round_to(moment.0, 0))
+                .with("length", self.over)
+                .with("safety", self.safety);
+        }
         Note::new("grip-required")
             .with("grips", self.grips_mm)
             .with("force", thousands(self.required_n))
@@ -102,15 +167,34 @@ impl Grip {
             .with("safety", self.safety)
     }
 
-    /// That a usual chuck does not press hard enough.
+    /// The moment that tips the part, if it asks for more than what pulls at it.
+    fn decides_tipping(&self) -> Option<NewtonMetres> {
+        self.tips_n_m.filter(|_| self.required_n.0 > self.safety * self.pull_n.0 / self.friction + 1e-6)
+    }
+
+    /// That a usual chuck does not press hard enough: doubtful within the safety, wrong beyond it, where the part would come loose by
+    /// the figures themselves.
     pub fn finding(&self, set_up: u8) -> Option<Finding> {
         let given = self.given_n.filter(|_| !self.is_enough())?;
+        let loose = self.required_n.0 > self.safety * given.0;
+        let severity = if loose { Severity::Wrong } else { Severity::Doubtful };
+        if let Some(moment) = self.decides_tipping() {
+            let note = Note::new("grip-tips")
+                .with("number", set_up)
+                .with("grips", self.grips_mm)
+                .with("length", self.over)
+                .with("moment", crate::units::round_to(moment.0, 0))
+                .with("safety", self.safety)
+                .with("holds", crate::units::round_to(given.0 * self.seat_mm / 1000.0, 0))
+                .with("given", thousands(given));
+            return Some(Finding::of_part(severity, note));
+        }
         let note = Note::new("grip-too-weak")
             .with("number", set_up)
             .with("grips", self.grips_mm)
             .with("force", thousands(self.required_n))
             .with("given", thousands(given));
-        Some(Finding::of_part(Severity::Doubtful, note))
+        Some(Finding::of_part(severity, note))
     }
 }
 
@@ -122,8 +206,29 @@ struct Held {
     because: Vec<Because>,
 }
 
+impl Held {
+    /// The moment that jaws hold for each newton of their force, mm: (a + μ·d)/(2·√3).
+    fn seat_mm(&self, jaws: &Jaws) -> f64 {
+        (jaws.length_mm.to_mm() + self.friction * jaws.grips_mm.to_mm()) / (2.0 * libm::sqrt(3.0))
+    }
+}
+
+/// The moment with which a job tips the part around the middle of the grip; none if its forces are not known.
+fn tips(job: &Job, middle_mm: f64) -> Option<NewtonMetres> {
+    let conditions = job.conditions.as_ref()?;
+    let (main, torque) = (conditions.main_force_n?, conditions.torque_n_m?);
+    let (feed, side) = (conditions.axial_force_n?, conditions.radial_force_n?);
+    let (along, across) = if job.work == Work::Face { (side, feed) } else { (feed, side) };
+    let cuts = job.path.moves.iter().filter(|one| one.purpose != Purpose::Rapid);
+    let first = cuts.map(|one| one.to.z).min()?.max(Half::ZERO);
+    // Torque is Pz·D/2000 by the largest diameter.
+    let radius = if main.0 > 0.0 { 1000.0 * torque.0 / main.0 } else { 0.0 };
+    let radius = if job.side == Side::Inner { -radius } else { radius };
+    Some(tipping(main, across, along, (middle_mm - first.to_mm()).max(0.0), radius))
+}
+
 /// Newtons as kN, to 0.1 kN.
-fn thousands(force: Newtons) -> f64 {
+pub(super) fn thousands(force: Newtons) -> f64 {
     crate::units::round_to(force.0 / 1000.0, 1)
 }
 
@@ -154,6 +259,15 @@ mod tests {
     fn torque_and_axial_force_pull_together() {
         let pull = turning_pull(NewtonMetres(100.0), Newtons(3000.0), Micrometres::from_mm_rounded(50.0));
         assert!((pull.0 - 5000.0).abs() < 1e-9, "{pull:?}");
+    }
+
+    /// 1000 N down and 400 N across at 60 mm from the middle of the grip, 300 N along at a radius of 20: 60 and 24 − 6 N·m, together
+    /// √(60² + 18²) = 62.64 N·m; in a bore 24 + 6: 67.08.
+    #[test]
+    fn a_force_far_out_tips() {
+        let at = |radius| tipping(Newtons(1000.0), Newtons(400.0), Newtons(300.0), 60.0, radius).0;
+        assert!((at(20.0) - 62.642).abs() < 1e-3, "{}", at(20.0));
+        assert!((at(-20.0) - 67.082).abs() < 1e-3, "{}", at(-20.0));
     }
 
     /// Hard jaws hold the blank with μ = 0.35, soft ones the finished cylinder with 0.1, both with a safety of 2; a chuck

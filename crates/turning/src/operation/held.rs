@@ -127,10 +127,10 @@ impl Held {
 const SLICES: i64 = 8;
 
 /// A range of Z with its least and greatest radius.
-type Stretch = (Half, Half, (Half, Half));
+pub(super) type Stretch = (Half, Half, (Half, Half));
 
 /// A contour between two places as ranges; slopes and arcs are divided.
-fn stretches(contour: &Contour, from: Half, to: Half) -> Vec<Stretch> {
+pub(super) fn stretches(contour: &Contour, from: Half, to: Half) -> Vec<Stretch> {
     let mut stretches = Vec::new();
     for piece in &contour.pieces {
         let (low, high) = (piece.from.z.min(piece.to.z).max(from), piece.from.z.max(piece.to.z).min(to));

@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity};
+use crate::tables::turning::part::JawKind;
 use crate::turning::allowances::Elsewhere;
 use crate::turning::cutting::{jaw_clearance, soft_jaw_share};
 use crate::turning::length::Half;
@@ -29,6 +30,9 @@ pub struct Jaws {
     pub least_grip_mm: Half,
     /// Whether they grip a surface that is finished already, which hard jaws would mark.
     pub soft: bool,
+    /// Whether they close nearly all around.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub full: bool,
     /// Whether they grip a bushing on a thread.
     #[serde(skip)]
     pub threaded: bool,
@@ -74,9 +78,12 @@ impl Jaws {
 
     /// That jaws on a finished surface are soft and bored to it, or that a bushing goes between them and a thread.
     pub fn bored(&self) -> Option<Note> {
-        let note = Note::new(if self.threaded { "jaws-on-bushing" } else { "jaws-bored" })
-            .with("grips", self.grips_mm)
-            .with("length", self.length_mm);
+        let code = match self {
+            Self { threaded: true, .. } => "jaws-on-bushing",
+            Self { full: true, .. } => "jaws-full-bored",
+            _ => "jaws-bored",
+        };
+        let note = Note::new(code).with("grips", self.grips_mm).with("length", self.length_mm);
         self.soft.then_some(note)
     }
 
@@ -119,7 +126,8 @@ impl Jaws {
         let clear = if set_up.rest.is_some() { to } else { clear };
         let front_mm = clear.min(to - least).max(near).max(from).min(to);
         let held = lathe.map(|lathe| lathe.workholding(knowledge)).transpose()?.flatten();
-        let soft = matches!(set_up.holds_at, Some(Hold::Surface { .. }));
+        let full = workpiece.jaws == JawKind::FullGrip;
+        let soft = full || matches!(set_up.holds_at, Some(Hold::Surface { .. }));
         // Nothing is gripped over more than the jaws are long, and soft ones are bored no longer than the grip needs.
         let jaw = held.map(|held| Half::of(held.jaw));
         let needed = Half::from(length.to_mm() * soft_jaw_share(knowledge)?).max(least);
@@ -144,6 +152,7 @@ impl Jaws {
             least_mm: least,
             least_grip_mm: least_grip,
             soft,
+            full,
             threaded,
             body,
         }))

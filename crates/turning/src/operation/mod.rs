@@ -44,6 +44,7 @@ pub mod programs;
 pub mod proof;
 pub mod setting;
 pub mod sizes;
+mod squeeze;
 mod tailstock;
 pub(crate) mod tapped;
 mod thin;
@@ -357,7 +358,11 @@ fn plan_without(
         let tailstock = Tailstock::of(&set_up, workpiece, lathe.as_ref(), knowledge)?;
         let held = held::Held::of(&set_up, jaws.as_ref(), workpiece, &bench.material, knowledge)?;
         let own = barred.iter().filter(|one| one.set_up == set_up.number).cloned().collect();
-        let grip = Grip::limit(jaws.as_ref(), knowledge)?;
+        // Nothing but the jaws holds it.
+        let alone = !set_up.centre && set_up.rest.is_none();
+        let squeeze = squeeze::Squeeze::of(&set_up, jaws.as_ref(), &Bench { workpiece, ..bench.clone() })?;
+        let bears = squeeze.as_ref().and_then(squeeze::Squeeze::bears);
+        let grip = Grip::limit(jaws.as_ref(), bears, alone, knowledge)?;
         let parts = parted.filter(|_| !set_up.turned_over);
         let through = parts.and_then(Parted::drilled_to);
         let opened = if set_up.turned_over { opened::opened(&done, workpiece.length()) } else { Micrometres::ZERO };
@@ -387,7 +392,10 @@ fn plan_without(
             }
         }
         coolant::mark_dry(&mut jobs, bench.material.group, knowledge)?;
-        let grip = Grip::of(jaws.as_ref(), &jobs, knowledge)?;
+        let grip = Grip::of(jaws.as_ref(), alone, &jobs, knowledge)?;
+        if let (Some(squeeze), Some(grip)) = (&squeeze, &grip) {
+            findings.extend(squeeze.findings(grip, &jobs, set_up.number));
+        }
         findings.extend(grip.as_ref().and_then(|grip| grip.finding(set_up.number)));
         findings.extend(slug(&set_up, &done, &jobs, workpiece));
         let parted_mm = parts.map(Parted::face);

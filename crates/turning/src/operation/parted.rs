@@ -131,7 +131,9 @@ impl Parted {
         let surfaces: Vec<SurfaceName> = ends.map(|surface| surface.name.clone()).collect();
         Parting {
             bar: at.diameter(),
+            solid: (at - bore).diameter(),
             bore: bore.diameter().max(drilled),
+            breaks: end_of_bore(workpiece),
             face: self.face(),
             jaws: jaws.map(|jaws| jaws.front_mm),
             clear: at + Half::of(CLEAR),
@@ -173,6 +175,12 @@ impl Parted {
 /// Whether the tool of a job comes to a Z.
 fn reaches(job: &Job, z: Half) -> bool {
     job.path.moves.iter().any(|one| one.to.z >= z)
+}
+
+/// The diameter of the bore at the far end; zero where none goes through.
+fn end_of_bore(workpiece: &Workpiece) -> Micrometres {
+    let end = workpiece.inner.as_ref().and_then(|inner| inner.contour().end());
+    end.filter(|end| end.z == workpiece.length()).map_or(Half::ZERO, |end| end.radius).diameter()
 }
 
 /// The least diameter of the hole that is drilled from the free end through the whole part; zero where the bore of the part does

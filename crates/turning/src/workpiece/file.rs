@@ -13,7 +13,7 @@ use crate::turning::shaft::Holding;
 use crate::turning::shaft::file::{ShaftFile, Size, Step};
 
 use super::item_file::ItemFile;
-use super::{HeatTreatment, Scheme, StockKind};
+use super::{HeatTreatment, JawKind, Scheme, StockKind};
 
 /// The JSON Schema of the file of a turned part, in either form.
 pub fn schema() -> Schema {
@@ -96,6 +96,8 @@ forms! {
         pub machine: Option<String>,
         /// How it is held; in the chuck unless said.
         pub holding: Option<Holding>,
+        /// The jaws of the chuck: three unless said, or soft ones that close nearly all around.
+        pub jaws: Option<JawKind>,
         /// A steady rest of the first set-up; none unless said.
         pub steady_rest: Option<SteadyRestFile>,
         /// Whether and when it is heat-treated; not unless said.

@@ -36,7 +36,7 @@ use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 use super::contour::{Profile, Side};
 use super::length::Half;
 use super::shaft::{self, Holding, Shaft};
-pub use crate::tables::turning::part::HeatTreatment;
+pub use crate::tables::turning::part::{HeatTreatment, JawKind};
 pub use crate::tables::turning::passes::Scheme;
 pub use blank::{Blank, StockKind};
 pub use drawn::{Drawings, files_named};
@@ -83,6 +83,9 @@ pub struct Workpiece {
     pub machine: Option<String>,
     /// The way of clamping.
     pub holding: Holding,
+    /// The jaws of its chuck.
+    #[serde(skip_serializing_if = "is_usual")]
+    pub jaws: JawKind,
     /// The steady rest of its first set-up.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub steady_rest: Option<SteadyRest>,
@@ -106,6 +109,11 @@ pub struct Workpiece {
     /// Findings for the reader: figures from tables that are not confirmed.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub findings: Vec<Finding>,
+}
+
+/// Whether jaws are the usual three.
+fn is_usual(jaws: &JawKind) -> bool {
+    *jaws == JawKind::Three
 }
 
 impl Workpiece {

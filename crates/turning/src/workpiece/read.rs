@@ -15,7 +15,7 @@ use super::file::WorkpieceFile;
 use super::items::Owner;
 use super::lengths;
 use super::walk::{Walked, walk};
-use super::{Drawings, HeatTreatment, Turned, Workpiece};
+use super::{Drawings, HeatTreatment, JawKind, Turned, Workpiece};
 
 /// Reads the file of a turned part: with `steps` it is a stepped shaft, with `outer` a contour.
 ///
@@ -105,6 +105,7 @@ impl Reader<'_> {
         let blank_node = fields.need(WorkpieceFile::blank, &mut self.problems);
         let machine = given(fields.take(WorkpieceFile::machine), |node| self.lathe(node));
         let holding = given(fields.take(WorkpieceFile::holding), |node| self.choice(node, Holding::NAMES));
+        let jaws = given(fields.take(WorkpieceFile::jaws), |node| self.choice(node, JawKind::NAMES));
         let rest_node = fields.take(WorkpieceFile::steady_rest);
         let heat_treatment =
             given(fields.take(WorkpieceFile::heat_treatment), |node| self.choice(node, HeatTreatment::NAMES));
@@ -144,6 +145,7 @@ impl Reader<'_> {
             blank: blank?,
             machine: machine?,
             holding: holding?.unwrap_or_default(),
+            jaws: jaws?.unwrap_or_default(),
             steady_rest,
             heat_treatment: heat_treatment?.unwrap_or_default(),
             outer: outer_profile,

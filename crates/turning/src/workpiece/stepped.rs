@@ -6,7 +6,7 @@ use crate::turning::point::Point;
 use crate::turning::shaft::{BlankKind, Shaft, Step};
 use crate::units::Micrometres;
 
-use super::{Allowances, Blank, HeatTreatment, Rates, Roughing, StockKind, Workpiece};
+use super::{Allowances, Blank, HeatTreatment, JawKind, Rates, Roughing, StockKind, Workpiece};
 
 impl From<&Shaft> for Workpiece {
     /// The diameters of a stepped shaft are those after roughing, so its finishing allowances are zero. Its limiting
@@ -33,6 +33,7 @@ impl From<&Shaft> for Workpiece {
             blank,
             machine: shaft.machine.clone(),
             holding: shaft.holding,
+            jaws: JawKind::default(),
             steady_rest: None,
             heat_treatment: HeatTreatment::default(),
             outer: outer(&shaft.steps),

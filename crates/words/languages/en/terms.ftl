@@ -137,6 +137,7 @@ word-chuck-and-centre = in a chuck and at a centre
 word-part-strength = strength of the part
 word-part-stiffness = stiffness of the part
 word-grip = grip of the jaws
+word-tipping = tipping out of the jaws
 word-insert-edge = edge of the insert
 word-cutting-force = cutting force on the carriage
 word-feed-force = feed drive

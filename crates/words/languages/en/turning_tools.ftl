@@ -15,7 +15,6 @@ too-fine-for-lathe = lathe { $lathe }: { $roughness } is finer than its best, { 
 feed-bound-by-nose = the nose allows no more: { $feed } mm/rev = { $share } of its radius of { $radius } mm
 turning-feed = feed { $feed } mm/rev, tool { $tool }
 turning-finish-feed = feed by the roughness { $feed } mm/rev
-feed-strength-factor = feed × { $factor }: strength of the steel
 force-coefficients = coefficients of the force { $component }
 grade-factor = speed × { $factor }: grade { $grade } instead of { $reference }
 internal-factor = speed × { $factor }: in a bore

@@ -137,6 +137,7 @@ word-chuck-and-centre = у патроні з підтисканням центр
 word-part-strength = міцність деталі
 word-part-stiffness = жорсткість деталі
 word-grip = затиск у кулачках
+word-tipping = перекидання з кулачків
 word-insert-edge = кромка пластини
 word-cutting-force = сила різання на супорті
 word-feed-force = привод подачі

@@ -15,7 +15,6 @@ too-fine-for-lathe = верстат { $lathe }: { $roughness } чистіше з
 feed-bound-by-nose = вершина витримує не більше: { $feed } мм/об = { $share } її радіуса { $radius } мм
 turning-feed = подача { $feed } мм/об, різець { $tool }
 turning-finish-feed = подача за шорсткістю { $feed } мм/об
-feed-strength-factor = подача × { $factor }: міцність сталі
 force-coefficients = коефіцієнти сили { $component }
 grade-factor = швидкість × { $factor }: сплав { $grade } замість { $reference }
 internal-factor = швидкість × { $factor }: в отворі
