@@ -17,6 +17,7 @@ mod ways;
 use crate::document::{Block, Column, Document, Drawing, Field, Keep, Table};
 use crate::knowledge::Knowledge;
 use crate::note;
+use technolog_turning::length::Half;
 use technolog_turning::passes::cost::Objective;
 use technolog_turning::passes::{Sequences, Variant};
 use technolog_turning::shaft::{Division, Moves};
@@ -97,9 +98,9 @@ fn head(page: &mut Document, found: &Sequences, knowledge: &Knowledge, lang: Lan
         .map(|step| format!("Ø{} × {}", figure(step.diameter, lang), figure(step.length, lang)))
         .collect();
     let mut levels = vec![figure(blank.diameter, lang)];
-    levels.extend(found.levels.iter().map(|level| figure(level.to_diameter_mm, lang)));
+    levels.extend(found.levels.iter().map(|level| figure(level.to.diameter(), lang)));
     let mut slices = vec!["0".to_owned()];
-    slices.extend(found.slices.iter().map(|slice| figure(slice.to_z_mm, lang)));
+    slices.extend(found.slices.iter().map(|slice| figure(Half::ZERO - slice.to, lang)));
     let objective = match found.objective {
         Objective::Path => say!(lang, "turn-least-path").to_owned(),
         Objective::PathAndPasses { per_pass_mm } => say!(lang, "turn-least-path-and-passes", per_pass = per_pass_mm),
@@ -148,8 +149,8 @@ fn passes(variant: &Variant, lang: Lang) -> Table {
         vec![
             Cell::count(pass.number),
             lang.term("word", pass.kind.name()).into(),
-            arrow(figure(from.diameter_mm, lang), figure(to.diameter_mm, lang)).into(),
-            arrow(figure(from.z_mm, lang), figure(to.z_mm, lang)).into(),
+            arrow(figure(from.radius.diameter(), lang), figure(to.radius.diameter(), lang)).into(),
+            arrow(figure(Half::ZERO - from.z, lang), figure(Half::ZERO - to.z, lang)).into(),
             Cell::Figure(pass.depth_mm.to_mm(), 2),
             Cell::Figure(pass.length_mm.to_mm(), 2),
             note_line(&pass.reason, lang).into(),

@@ -118,6 +118,14 @@ pub fn negative_z<S: Serializer>(z: &Half, serializer: S) -> Result<S::Ok, S::Er
     (Half::ZERO - *z).serialize(serializer)
 }
 
+/// A radius as output shows it: its diameter.
+///
+/// # Errors
+/// Those of the serializer.
+pub fn as_diameter<S: Serializer>(radius: &Half, serializer: S) -> Result<S::Ok, S::Error> {
+    radius.diameter().serialize(serializer)
+}
+
 impl JsonSchema for Half {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         "HalfMicrometres".into()

@@ -4,7 +4,7 @@
 //! - [`workpiece`] is the same for a part of any contour, and reads both forms of the file;
 //! - [`length`] is the exact length of this crate, in halves of a micrometre, because half of a diameter is one;
 //! - [`contour`] is a section of lines and arcs, [`point`] its points, [`toolpath`] the motions of a tool along it;
-//! - [`levels`] splits the stock over a shaft into levels, [`schemes`] clears them by the schemes of the lecture;
+//! - [`schemes`] clears the levels over a shaft by the schemes of the lecture;
 //! - [`elements`] separates main elements from additional ones, [`allowances`] makes the rough contour, [`zones`]
 //!   divides the stock and decides from which end it is turned;
 //! - [`tooling`] is lathes and turning tools, [`cutting`] their depths of cut and cutting conditions
@@ -25,7 +25,6 @@ pub mod cutting;
 pub mod elements;
 pub mod jobs;
 pub mod length;
-pub mod levels;
 pub mod nose;
 pub mod numbering;
 pub mod operation;

@@ -151,7 +151,7 @@ impl Ways {
             None => {
                 let (_, scheme) = Scheme::NAMES.iter().find(|(known, _)| *known == name)?;
                 let retract = Half::of(distances.retract);
-                schemes::path::toolpath(&removal::path(*scheme, &self.schemes.levels, approach, retract))
+                schemes::path::toolpath(&removal::path(*scheme, &self.schemes.splitting.levels, approach, retract))
             }
         };
         let z = shaft.steps.iter().map(|step| Half::of(step.length)).sum();

@@ -7,9 +7,9 @@ use std::process::Command;
 
 use proptest::prelude::*;
 use technolog::turning::length::Half;
-use technolog::turning::levels::Levels;
 use technolog::turning::point::Point;
 use technolog::turning::schemes::find;
+use technolog::turning::schemes::levels::Levels;
 use technolog::turning::schemes::path::{Motion, Vertex, VertexRole};
 use technolog::turning::schemes::removal::{self, Scheme};
 use technolog::turning::schemes::report::{measure, points};
@@ -43,7 +43,7 @@ fn example(name: &str) -> Shaft {
 #[test]
 fn the_zone_is_split_as_the_lecture_does() {
     let levels = Levels::of(&example("shaft-three-cylinders"));
-    let stocks = levels.stocks();
+    let stocks = &levels.cylinders;
     assert_eq!(stocks.iter().map(|one| one.stock).collect::<Vec<_>>(), [mm(14.4), mm(7.6), mm(3.5)]);
     assert_eq!(stocks.iter().map(|one| one.passes).collect::<Vec<_>>(), [4, 2, 1]);
     assert_eq!(stocks.iter().map(|one| one.mean).collect::<Vec<_>>(), [mm(3.6), mm(3.8), mm(3.5)]);
@@ -59,7 +59,7 @@ fn the_zone_is_split_as_the_lecture_does() {
 /// t2 = 2·t_p (point 2 lies on the second level in fig. 12.7 and 12.9 a), 3·t_p < t1 < 4·t_p, t_p < t3 < 2·t_p.
 fn figure() -> Levels {
     let shaft = shaft(80_000, &[(51_200, 30_000), (64_800, 25_000), (70_000, 20_000)], 4_000, 3_000, Division::Full);
-    Levels::of(&shaft).with_depth(mm(3.8))
+    Levels { depth: mm(3.8), ..Levels::of(&shaft) }
 }
 
 fn names(scheme: Scheme, levels: &Levels) -> String {
@@ -94,7 +94,7 @@ fn working(scheme: Scheme, levels: &Levels) -> String {
         .into_iter()
         .filter(|vertex| !matches!(vertex.role, VertexRole::Retracted | VertexRole::Returned))
         .map(|mut vertex| {
-            let first = levels.sections[0].cylinders[0];
+            let first = levels.cylinders[0];
             if vertex.role == VertexRole::Start && vertex.at.radius == first.radius {
                 vertex.at.z = first.from;
             }
@@ -117,7 +117,7 @@ fn horizontals_a_visit_the_points_in_the_order_of_figure_12_9_a() {
 #[test]
 fn horizontals_b_visit_the_points_in_the_order_of_figure_12_9_b() {
     let shaft = shaft(80_000, &[(51_200, 30_000), (64_000, 25_000), (70_000, 20_000)], 4_000, 3_000, Division::Full);
-    let levels = Levels::of(&shaft).with_depth(mm(3.8));
+    let levels = Levels { depth: mm(3.8), ..Levels::of(&shaft) };
     assert_eq!(working(Scheme::HorizontalsB, &levels), "A 4 5 6 7 8 9 1 10 2 11 3 12 A");
 }
 
@@ -169,12 +169,12 @@ fn zones_and_their_schemes_come_from_the_rules() {
 #[test]
 fn a_stepped_blank_has_a_section_under_each_of_its_diameters() {
     let levels = Levels::of(&example("shaft-forging"));
-    let stocks = levels.stocks();
+    let stocks = &levels.cylinders;
     assert_eq!(stocks.iter().map(|one| one.stock).collect::<Vec<_>>(), [mm(7.0), mm(3.0), mm(15.0), mm(6.0)]);
     assert_eq!(levels.depth, mm(3.75));
-    let ends: Vec<Half> = stocks.iter().map(|one| one.cylinder.to).collect();
+    let ends: Vec<Half> = stocks.iter().map(|one| one.to).collect();
     assert_eq!(ends, [mm(30.0), mm(48.0), mm(50.0), mm(90.0)]);
-    assert_eq!(levels.sections.len(), 2);
+    assert_eq!(levels.sections().count(), 2);
 }
 
 /// The stock in columns between all Z where anything begins or ends: Z from, Z to, radius now, radius of the part.
@@ -331,7 +331,7 @@ fn json_has_schemes_with_their_points() {
 fn the_drawing_has_every_motion_of_every_scheme() {
     let drawing = turn(&["examples/shaft-forging.yaml", "--format", "svg"]);
     let found = find(&example("shaft-forging"), &KNOWLEDGE).unwrap();
-    let motions = found.schemes.iter().flat_map(|scheme| scheme.path.iter().skip(1));
+    let motions = found.schemes.iter().flat_map(|scheme| scheme.points.iter().map(|point| &point.vertex).skip(1));
     let (rapids, feeds): (Vec<&Vertex>, Vec<&Vertex>) = motions.partition(|vertex| vertex.motion == Motion::Rapid);
     assert_eq!(drawing.matches("stroke=\"#cc79a7\" stroke-width=\"0.9\"").count(), rapids.len() + 1);
     assert_eq!(drawing.matches("stroke=\"#009e73\" stroke-width=\"1.3\"").count(), feeds.len() + 1);

@@ -278,31 +278,6 @@ fn in_closed_zones_the_tool_returns_along_the_contour() {
     }
 }
 
-/// The same levels as those of a stepped shaft: [`technolog::turning::levels`] by the steps, `split` by the contour.
-#[test]
-fn over_steps_the_levels_are_those_of_the_shaft() {
-    use technolog::turning::levels::Levels;
-    use technolog::turning::shaft::read_shaft;
-    use technolog::turning::transitions::split::Split;
-    let text =
-        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/shaft-three-cylinders.yaml")).unwrap();
-    let levels = Levels::of(&read_shaft("shaft", &text, &KNOWLEDGE).unwrap());
-    let (mut points, mut z) = (Vec::new(), Half::ZERO);
-    let section = &levels.sections[0];
-    for cylinder in &section.cylinders {
-        points.push(technolog::turning::point::Point { radius: cylinder.radius, z });
-        z = cylinder.to;
-        points.push(technolog::turning::point::Point { radius: cylinder.radius, z });
-    }
-    let rough = Contour::through(Side::Outer, &points);
-    let stock = under_bar(rough, section.blank.to_mm());
-    let split = Split::of(&stock.rough, &stock.blank, levels.limit);
-    assert_eq!(split.depth, levels.depth);
-    let of_shaft: Vec<_> = levels.stocks().iter().map(|one| (one.stock, one.passes, one.mean)).collect();
-    let of_zone: Vec<_> = split.sections[0].stocks.iter().map(|one| (one.stock, one.passes, one.mean)).collect();
-    assert_eq!(of_zone, of_shaft);
-}
-
 /// 12.4-27 (l. 392-394): pick-up may be the last scheme up to Rz 40; for a finer surface finishing must follow.
 #[test]
 fn pick_up_is_the_last_up_to_rz_40() {

@@ -155,7 +155,7 @@ fn surfaces_carry_what_the_drawing_says() {
     assert_eq!(neck.stated_allowance, Some(Half::from(0.3)));
     assert_eq!(pin.outer.surfaces[0].name, SurfaceName::Place(Side::Outer, 1));
     let thread = &pin.threads[0];
-    assert_eq!((thread.written.as_str(), thread.surface.as_str()), ("M36x2-6g", "outer 3"));
+    assert_eq!((thread.written.as_str(), &*thread.surface.to_string()), ("M36x2-6g", "outer 3"));
     assert_eq!((thread.size.to_string(), thread.pitch.to_string()), ("36".to_owned(), "2".to_owned()));
     // GOST 10549-80 for the pitch 2: 5 wide, 3 off the diameter; 45° on the side of the thread.
     let relief = &pin.outer.surfaces[3];

@@ -7,13 +7,14 @@ use technolog::turning::contour::{Contour, Piece, Profile, Side, Surface, Surfac
 use technolog::turning::elements::{Angles, Hand};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
-use technolog::turning::shaft::Holding;
-use technolog::turning::workpiece::Scheme;
+use technolog::turning::shaft::{Division, Holding};
+use technolog::turning::workpiece::{Allowances, Blank, Scheme, StockKind, Workpiece};
 use technolog::turning::zones::{
-    Feed, Hold, Returns, SetUp, Stock, ToolAngles, Workpiece, Zone, ZoneKind, find, fit, idle_returns, set_ups,
+    Feed, Hold, Returns, SetUp, Stock, ToolAngles, Zone, ZoneKind, find, fit, idle_returns, set_ups,
 };
 use technolog::units::Degrees;
 use technolog_testing::KNOWLEDGE;
+use technolog_testing::shafts::shaft;
 
 /// Read once: the laws below ask often.
 fn mm(length: f64) -> Half {
@@ -270,18 +271,18 @@ fn flange() -> Profile {
     profile(Side::Outer, (0.0, 0.0), &items)
 }
 
+/// A part in a chuck that is finished, too.
+fn part(outer: &Profile, inner: Option<&Profile>, blank: &Contour) -> Workpiece {
+    let bar = Blank { kind: StockKind::Bar, outer: blank.clone(), inner: None, length_tolerance: None };
+    let (outer, inner, allowances) = (outer.clone(), inner.cloned(), Allowances::Table);
+    let other = Workpiece::from(&shaft(40_000, &[(30_000, 10_000)], 4_000, 4_000, Division::Full));
+    Workpiece { outer, inner, blank: bar, allowances, ..other }
+}
+
 fn made(outer: &Profile, inner: Option<&Profile>, blank: &Contour, length: f64) -> Vec<SetUp> {
-    let part = Workpiece {
-        outer,
-        inner,
-        length: mm(length),
-        blank,
-        holding: Holding::Chuck,
-        lends: true,
-        parted: None,
-        rest: None,
-    };
-    set_ups(part, Angles::CONTOURING, &KNOWLEDGE).unwrap()
+    let part = part(outer, inner, blank);
+    assert_eq!(part.length(), mm(length));
+    set_ups(&part, None, Angles::CONTOURING, &KNOWLEDGE).unwrap()
 }
 
 fn names(stretch: Option<&technolog::turning::zones::TurnedSide>) -> Vec<String> {
@@ -363,17 +364,9 @@ fn one_set_up_makes_what_it_reaches() {
         &[(Face, 15.0, 0.0), (Cylinder, 15.0, 30.0), (Face, 20.0, 30.0), (Cylinder, 20.0, 50.0)],
     );
     let blank = outer(&[(0.0, 0.0), (25.0, 0.0), (25.0, 50.0)]);
-    let whole = Workpiece {
-        outer: &part,
-        inner: None,
-        length: mm(50.0),
-        blank: &blank,
-        holding: Holding::Chuck,
-        lends: false,
-        parted: None,
-        rest: None,
-    };
-    let found = set_ups(whole, Angles::CONTOURING, &KNOWLEDGE).unwrap();
+    let none = Allowances::Stated { on_diameter: Default::default(), on_face: Default::default() };
+    let whole = Workpiece { allowances: none, ..self::part(&part, None, &blank) };
+    let found = set_ups(&whole, None, Angles::CONTOURING, &KNOWLEDGE).unwrap();
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].notes.last().unwrap().code(), "setup-only");
     // What falls gently behind the largest radius is reached too.
@@ -381,17 +374,8 @@ fn one_set_up_makes_what_it_reaches() {
     assert_eq!(made(&gentle, None, &outer(&[(25.0, 0.0), (25.0, 50.0)]), 50.0).len(), 1);
     // Between centres nothing is held by a cylinder.
     let blank = outer(&[(0.0, 0.0), (25.0, 0.0), (25.0, 50.0)]);
-    let part = Workpiece {
-        outer: &part,
-        inner: None,
-        length: mm(50.0),
-        blank: &blank,
-        holding: Holding::Centres,
-        lends: true,
-        parted: None,
-        rest: None,
-    };
-    assert_eq!(set_ups(part, Angles::CONTOURING, &KNOWLEDGE).unwrap()[0].holds_at, Some(Hold::Centres));
+    let part = Workpiece { holding: Holding::Centres, ..self::part(&part, None, &blank) };
+    assert_eq!(set_ups(&part, None, Angles::CONTOURING, &KNOWLEDGE).unwrap()[0].holds_at, Some(Hold::Centres));
 }
 
 /// 12.3-2 for bores: each side of a bore is bored from the end to which it widens.
@@ -488,8 +472,7 @@ proptest! {
             }).collect(),
         };
         let blank = outer(&[(120.0, 0.0), (120.0, length.to_mm())]);
-        let work = Workpiece { outer: &part, inner: None, length, blank: &blank, holding: Holding::Chuck, lends: true, parted: None, rest: None };
-        let found = set_ups(work, Angles::CONTOURING, &KNOWLEDGE).unwrap();
+        let found = set_ups(&self::part(&part, None, &blank), None, Angles::CONTOURING, &KNOWLEDGE).unwrap();
         let mut pieces: Vec<Piece> = Vec::new();
         for set_up in &found {
             let Some(stretch) = &set_up.outer else { continue };

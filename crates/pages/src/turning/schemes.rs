@@ -2,6 +2,8 @@
 
 use crate::document::{Column, Document, Keep};
 use technolog_tables::turning::passes::Scheme;
+use technolog_turning::length::Half;
+use technolog_turning::schemes::levels::Levels;
 use technolog_turning::schemes::{Schemes, Splitting};
 use technolog_words::say;
 
@@ -19,9 +21,9 @@ pub(super) fn section_of_levels(page: &mut Document, found: &Schemes, lang: Lang
 }
 
 fn levels(page: &mut Document, found: &Schemes, lang: Lang) {
-    let Splitting { limiting_depth_mm, depth_mm, cylinders, horizontals, .. } = &found.splitting;
-    let depth = rounded(depth_mm.to_mm(), lang);
-    page.paragraph(say!(lang, "turn-limiting-depth", limit = limiting_depth_mm, depth = depth));
+    let Splitting { levels: Levels { limit, depth, cylinders }, horizontals, .. } = &found.splitting;
+    let depth = rounded(depth.to_mm(), lang);
+    page.paragraph(say!(lang, "turn-limiting-depth", limit = limit, depth = depth));
     let mm = say!(lang, "unit-mm");
     let columns = [
         Column::number(lang.word("cli-row-number"), ""),
@@ -35,15 +37,16 @@ fn levels(page: &mut Document, found: &Schemes, lang: Lang) {
         schemes_column(say!(lang, "turn-scheme-of-passes")),
     ];
     let schemes = |all: &[Scheme]| terms(all.iter().map(|scheme| scheme.name()), " + ", lang);
+    let z = |z: Half| figure(Half::ZERO - z, lang);
     let rows = cylinders.iter().zip(&found.zones).enumerate().map(|(index, (one, zone))| {
         vec![
             Cell::count(index + 1),
-            figure(one.diameter_mm, lang).into(),
-            figure(one.blank_diameter_mm, lang).into(),
-            arrow(figure(one.from_z_mm, lang), figure(one.to_z_mm, lang)).into(),
-            Cell::Figure(one.stock_mm.to_mm(), 2),
+            figure(one.radius.diameter(), lang).into(),
+            figure(one.blank.diameter(), lang).into(),
+            arrow(z(one.from), z(one.to)).into(),
+            Cell::Figure(one.stock.to_mm(), 2),
             Cell::Figure(one.passes as f64, 0),
-            Cell::Figure(one.mean_depth_mm.to_mm(), 2),
+            Cell::Figure(one.mean.to_mm(), 2),
             lang.term("word", zone.zone.name()).into(),
             schemes(&zone.schemes).into(),
         ]

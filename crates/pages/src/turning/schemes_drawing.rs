@@ -67,22 +67,22 @@ fn legend(canvas: &mut Canvas, top: f64, lang: Lang) {
 
 /// The stock with its horizontals.
 fn stock(canvas: &mut Canvas, schemes: &Schemes, place: &impl Fn(Point) -> At) {
-    for section in &schemes.levels.sections {
-        for cylinder in &section.cylinders {
-            let at = |radius: Half, z: Half| place(Point { radius, z });
-            let (near, far) = (at(section.blank, cylinder.from), at(cylinder.radius, cylinder.to));
-            canvas.rectangle(near, far, STOCK, Some(Pen::solid("#666", 0.5)));
-            for level in 1..=schemes.levels.full(section, cylinder) {
-                let radius = schemes.levels.horizontal(section, level);
-                canvas.line(&[at(radius, cylinder.from), at(radius, cylinder.to)], Pen::solid("#999", 0.5));
-            }
+    let levels = &schemes.splitting.levels;
+    for cylinder in &levels.cylinders {
+        let at = |radius: Half, z: Half| place(Point { radius, z });
+        let (near, far) = (at(cylinder.blank, cylinder.from), at(cylinder.radius, cylinder.to));
+        canvas.rectangle(near, far, STOCK, Some(Pen::solid("#666", 0.5)));
+        for level in 1..=levels.full(cylinder) {
+            let radius = levels.horizontal(cylinder, level);
+            canvas.line(&[at(radius, cylinder.from), at(radius, cylinder.to)], Pen::solid("#999", 0.5));
         }
     }
 }
 
 /// The path with its points. A name is placed where it covers no other name, and left out if there is no such place.
 fn draw_toolpath(canvas: &mut Canvas, scheme: &SchemeEntry, place: &impl Fn(Point) -> At) {
-    for (before, vertex) in scheme.path.iter().zip(scheme.path.iter().skip(1)) {
+    let path = || scheme.points.iter().map(|point| point.vertex);
+    for (before, vertex) in path().zip(path().skip(1)) {
         let (from, to) = (place(before.at), place(vertex.at));
         let pen = if vertex.motion == Motion::Rapid { RAPID } else { FEED };
         canvas.line(&[from, to], pen);
@@ -91,11 +91,11 @@ fn draw_toolpath(canvas: &mut Canvas, scheme: &SchemeEntry, place: &impl Fn(Poin
         }
     }
     let mut named: Vec<(At, &str)> = Vec::new();
-    for (vertex, point) in scheme.path.iter().zip(&scheme.points) {
+    for point in &scheme.points {
         if named.iter().any(|(_, name)| *name == point.name) {
             continue;
         }
-        let (x, y) = place(vertex.at);
+        let (x, y) = place(point.vertex.at);
         canvas.circle((x, y), 1.6, "#333", None);
         let sides = [(7.0, -3.0), (-7.0, -3.0), (7.0, 10.0), (-7.0, 10.0), (0.0, -8.0), (0.0, 14.0)];
         let free = sides

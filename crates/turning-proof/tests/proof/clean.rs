@@ -6,7 +6,7 @@ use technolog_turning_proof::{
     Stock, Thread, Tool, What, Whose, prove,
 };
 
-use crate::made::{at, bar_work, bare, chain, insert, is, joined, line, pclnr, program, proven, wrong};
+use crate::made::{at, bar_work, bare, chain, insert, is, joined, line, pclnr, program, proven, stock, wrong};
 
 /// Ø40 and Ø60 with a sharp corner between; the contour goes on behind Z−70.
 pub fn shaft() -> Vec<ProfilePiece> {
@@ -113,10 +113,9 @@ fn an_arc_is_followed_by_an_arc() {
         motions.push(joined(&motions, Feed, at(z, radius)));
     }
     let tool = bare(insert(95.0, 5.0, 0.8, Hand::Right, Side::Outside));
-    let blank =
-        Piece::lines(&[(0.0, 0.0), (0.0, 16.0), (-18.0, 16.0), (-24.0, 26.0), (-60.0, 26.0)].map(|(z, r)| at(z, r)));
+    let blank = [(0.0, 0.0), (0.0, 16.0), (-18.0, 16.0), (-24.0, 26.0), (-60.0, 26.0)];
     let mut work = bar_work(part, 1.0, (0.0, 1.0), tool, motions);
-    work.stock = Stock::between(&blank, &[]);
+    work.stock = stock(&blank, &[]);
     assert_eq!(proven(&work).faults, []);
 }
 
@@ -136,7 +135,7 @@ pub fn thread(last: f64) -> SetUp {
     let mut work = bar_work(part, 1.0, (0.0, 1.0), bare(cutter), motions);
     let crests =
         [(0.0, 0.0), (0.0, 8.4), (-1.5, 9.9), (-20.0, 9.9), (-20.0, 8.5), (-24.0, 8.5), (-24.0, 12.0), (-60.0, 12.0)];
-    work.stock = Stock::between(&Piece::lines(&crests.map(|(z, r)| at(z, r))), &[]);
+    work.stock = stock(&crests, &[]);
     work
 }
 
@@ -168,7 +167,7 @@ fn the_crests_of_a_thread_may_be_turned_into_its_run_out() {
         let motions = program(0, (1.0, 9.9), &moves);
         let mut work = bar_work(part, 1.0, (0.0, 1.0), tool, motions);
         let blank = [(0.0, 0.0), (0.0, 10.0), (-60.0, 10.0)];
-        work.stock = Stock::between(&Piece::lines(&blank.map(|(z, r)| at(z, r))), &[]);
+        work.stock = stock(&blank, &[]);
         wrong(&work).into_iter().any(|fault| matches!(fault.what, What::Gouge { .. }))
     };
     assert!(!cut_to(-21.0, 6.0));
@@ -215,7 +214,7 @@ fn the_side_of_a_threading_insert_clears_a_shoulder() {
             (-24.0, 20.0),
             (-60.0, 20.0),
         ];
-        work.stock = Stock::between(&Piece::lines(&crests.map(|(z, r)| at(z, r))), &[]);
+        work.stock = stock(&crests, &[]);
         let motions: Vec<(MotionKind, f64, f64)> = [9.5, 9.1, 8.9, 8.775]
             .into_iter()
             .flat_map(|radius| [(Pass, -22.0, radius), (Rapid, -22.0, 22.0), (Rapid, 4.0, 22.0), (Rapid, 4.0, radius)])
@@ -284,8 +283,7 @@ fn a_bush_is_bored_through() {
 /// What the first set-up left is the second one's stock: a cone of Ø20 at the free end stands at the chuck.
 #[test]
 fn the_stock_is_turned_over_with_the_part() {
-    let cone = Piece::lines(&[(0.0, 0.0), (0.0, 10.0), (-50.0, 20.0)].map(|(z, r)| at(z, r)));
-    let stock = Stock::between(&cone, &[]);
+    let stock = stock(&[(0.0, 0.0), (0.0, 10.0), (-50.0, 20.0)], &[]);
     let over = stock.turned_over(Mm(50.0));
     assert!(stock.holds(at(-49.0, 19.0)) && !stock.holds(at(-1.0, 19.0)));
     assert!(over.holds(at(-1.0, 19.0)) && !over.holds(at(-49.0, 19.0)));
@@ -377,8 +375,7 @@ fn passes_in_a_bore_are_none_of_the_thread_outside() {
         let mut work = started([(0.0, 0.0), (1.0, 0.0), (0.0, 0.0), (0.0, 0.0)]);
         work.profile.bore = chain(&[(0.0, 5.0), (-40.0, 5.0)]);
         let outside = [(0.0, 8.4), (-1.5, 9.9), (-20.0, 9.9), (-20.0, 8.5), (-24.0, 8.5), (-24.0, 12.0), (-60.0, 12.0)];
-        let lines = |places: &[(f64, f64)]| Piece::lines(&places.iter().map(|&(z, r)| at(z, r)).collect::<Vec<_>>());
-        work.stock = Stock::between(&lines(&outside), &lines(&[(0.0, 5.0), (-60.0, 5.0)]));
+        work.stock = stock(&outside, &[(0.0, 5.0), (-60.0, 5.0)]);
         work.tools.push(bare(cutter));
         let inside = [(Rapid, 4.0, 4.9), (Pass, -22.0, 4.9), (Rapid, -22.0, 4.0), (Rapid, 4.0, 4.0)];
         work.motions.extend(program(1, (4.0, 4.0), &inside).into_iter().map(|mut motion| {
@@ -461,9 +458,6 @@ fn a_drill_goes_no_deeper_than_its_flutes() {
     let (depth, block) = buried(&drilled(46.0)).unwrap();
     assert!((depth - 6.0).abs() < 0.001 && block == 2, "{depth} {block}");
     let mut wide = drilled(46.0);
-    wide.stock = Stock::between(
-        &Piece::lines(&[at(0.0, 8.0), at(0.0, 20.0), at(-80.0, 20.0)]),
-        &Piece::lines(&[at(0.0, 8.0), at(-10.0, 8.0), at(-10.0, 0.0)]),
-    );
+    wide.stock = stock(&[(0.0, 8.0), (0.0, 20.0), (-80.0, 20.0)], &[(0.0, 8.0), (-10.0, 8.0), (-10.0, 0.0)]);
     assert_eq!(buried(&wide), None);
 }

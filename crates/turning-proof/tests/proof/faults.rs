@@ -8,7 +8,7 @@ use technolog_turning_proof::{
 };
 
 use crate::clean::{SHAFT, blade, shaft_work, thread};
-use crate::made::{Named, at, bar_work, bare, chain, insert, is, pclnr, program, proven, wrong};
+use crate::made::{Named, at, bar_work, bare, chain, insert, is, pclnr, program, proven, stock, wrong};
 
 fn named(name: &str) -> Option<Figure> {
     Some(Figure::from_name(name))
@@ -91,7 +91,7 @@ fn a_shank_hits_the_flange_behind_it() {
         )
     };
     let mut work = bar_work(chain(&spool), 1.0, (0.0, 1.0), pclnr(0.8), path(-40.0));
-    work.stock = Stock::between(&Piece::lines(&blank.map(|(z, r)| at(z, r))), &[]);
+    work.stock = stock(&blank, &[]);
     let hits = |work: &SetUp| -> Vec<Fault> {
         wrong(work).into_iter().filter(|fault| !matches!(fault.what, What::Stands { .. })).collect()
     };

@@ -3,9 +3,9 @@
 
 use proptest::prelude::*;
 use technolog_turning_proof::MotionKind::Feed;
-use technolog_turning_proof::{Fault, Hand, Motion, Piece, SetUp, Side, Stock, What};
+use technolog_turning_proof::{Fault, Hand, Motion, SetUp, Side, What};
 
-use crate::made::{at, bar_work, bare, chain, insert, program, proven};
+use crate::made::{bar_work, bare, chain, insert, program, proven, stock};
 
 pub const NOSE: f64 = 0.8;
 /// Distance of the samples of a contour, mm: between two of them a circle of the nose sinks by 0.01²/(8 · 0.8) mm, 16 nm.
@@ -104,8 +104,7 @@ fn work(contour: &Contour, samples: &[(f64, f64)], deeper: f64) -> SetUp {
     let part = chain(&[vec![(0.0, 0.0)], contour.0.clone()].concat());
     let blank: Vec<(f64, f64)> = contour.0.iter().map(|&(z, r)| (z, r + 1.0)).collect();
     let blank = [vec![(0.0, 0.0)], blank, vec![(end.0 - 5.0, end.1 + 1.0)]].concat();
-    let blank: Vec<_> = blank.into_iter().map(|(z, r)| at(z, r)).collect();
-    SetUp { stock: Stock::between(&Piece::lines(&blank), &[]), ..bar_work(part, 1.0, (0.0, 1.0), tool, motions) }
+    SetUp { stock: stock(&blank, &[]), ..bar_work(part, 1.0, (0.0, 1.0), tool, motions) }
 }
 
 /// The volume that the nose leaves between Z0 and the contour's end, from the way of its centre.

@@ -65,17 +65,20 @@ pub fn program(tool: usize, start: (f64, f64), moves: &[(MotionKind, f64, f64)])
     moves.iter().enumerate().map(&mut motion).collect()
 }
 
+/// The metal between two chains of places, or between one and the axis.
+pub fn stock(outer: &[(f64, f64)], bore: &[(f64, f64)]) -> Stock {
+    let lines = |places: &[(f64, f64)]| Piece::lines(&places.iter().map(|&(z, r)| at(z, r)).collect::<Vec<_>>());
+    Stock::between(&lines(outer), &lines(bore))
+}
+
 /// Outside only, one tool, a bar.
 pub fn bar_work(outside: Vec<ProfilePiece>, radius: f64, ends: (f64, f64), tool: Tool, motions: Vec<Motion>) -> SetUp {
     SetUp {
         profile: Profile { outside, bore: Vec::new() },
-        finished: None,
         stock: Stock::cylinder(Mm(radius), None, Mm(ends.0), Mm(ends.1)),
-        bodies: Vec::new(),
         tools: vec![tool],
         motions,
-        indexed: Vec::new(),
-        measures_cuts: false,
+        ..SetUp::default()
     }
 }
 

@@ -1,11 +1,9 @@
 //! A blind hole with a tapped thread, and each way to spoil it.
 
 use technolog_turning_proof::MotionKind::{Feed, Rapid, Thread as InStep};
-use technolog_turning_proof::{
-    Cutter, Fault, Mm, Motion, MotionKind, Piece, Profile, SetUp, Stock, TapLimits, Thread, What,
-};
+use technolog_turning_proof::{Cutter, Fault, Mm, Motion, MotionKind, Profile, SetUp, TapLimits, Thread, What};
 
-use crate::made::{at, bare, chain, is, line, program, wrong};
+use crate::made::{bare, chain, is, line, program, stock, wrong};
 
 /// M12 by hand: pitch 1.75, hole Ø10.2 of Ø10.106 to Ø10.441, thread 20 deep, hole 28 deep, lead of three pitches 5.25: the front goes
 /// to 25.25.
@@ -43,7 +41,6 @@ fn made(made: &Made) -> SetUp {
     let chamfer = 6.6 - radius;
     let inner = [(0.0, 6.6), (-chamfer, radius), (made.deep, radius), (made.deep, 0.0)];
     let outer = [(0.0, 6.6), (0.0, 15.0), (-40.0, 15.0)];
-    let lines = |places: &[(f64, f64)]| Piece::lines(&places.iter().map(|(z, r)| at(*z, *r)).collect::<Vec<_>>());
     let cutter = Cutter::Tap {
         diameter: Mm(12.0),
         pitch: Mm(1.75),
@@ -59,13 +56,10 @@ fn made(made: &Made) -> SetUp {
     let motions = motions.into_iter().map(|one| Motion { lead: Some(Mm(made.lead)), ..one }).collect();
     SetUp {
         profile: Profile { outside, bore },
-        finished: None,
-        stock: Stock::between(&lines(&outer), &lines(&inner)),
-        bodies: Vec::new(),
+        stock: stock(&outer, &inner),
         tools: vec![bare(cutter)],
         motions,
-        indexed: Vec::new(),
-        measures_cuts: false,
+        ..SetUp::default()
     }
 }
 
@@ -137,18 +131,8 @@ fn the_bar_behind_a_thread_is_of_the_next_set_up() {
         line("bottom", (-5.682, 12.0), (-5.682, 3.4)),
         line("hole", (-5.682, 3.4), (-24.882, 3.4)),
     ];
-    let lines = |places: &[(f64, f64)]| Piece::lines(&places.iter().map(|(z, r)| at(*z, *r)).collect::<Vec<_>>());
     let outer = [(0.0, 12.0), (0.0, 23.0), (-24.882, 23.0), (-24.882, 26.0), (-68.882, 26.0)];
     let inner = [(0.0, 12.0), (-5.682, 12.0), (-5.682, 3.4), (-33.132, 3.4), (-35.175, 0.0)];
-    let work = SetUp {
-        profile: Profile { outside, bore },
-        finished: None,
-        stock: Stock::between(&lines(&outer), &lines(&inner)),
-        bodies: Vec::new(),
-        tools: Vec::new(),
-        motions: Vec::new(),
-        indexed: Vec::new(),
-        measures_cuts: false,
-    };
+    let work = SetUp { profile: Profile { outside, bore }, stock: stock(&outer, &inner), ..SetUp::default() };
     assert_eq!(wrong(&work), []);
 }

@@ -130,6 +130,17 @@ impl Contour {
     }
 }
 
+impl Half {
+    /// A radius so much farther off the metal of a side: outwards outside, inwards in a bore.
+    #[must_use]
+    pub fn off(self, by: Self, side: Side) -> Self {
+        match side {
+            Side::Outer => self + by,
+            Side::Inner => self - by,
+        }
+    }
+}
+
 /// The pieces with a point between two Z, these included. They must be in the order of Z.
 pub fn touching(pieces: &[Piece], from: Half, to: Half) -> &[Piece] {
     let (_, ahead) = pieces.split_at(pieces.partition_point(|piece| piece.to.z < from));

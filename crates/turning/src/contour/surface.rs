@@ -14,7 +14,7 @@ pub use crate::tables::turning::part::SurfaceKind;
 use super::{Contour, Field, Piece, Side};
 
 /// The name of a surface.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SurfaceName {
     /// The name in the file, the same in every language.
     Given(String),
@@ -85,6 +85,16 @@ impl Surface {
     /// A surface of which the drawing gives nothing but its shape.
     pub const fn plain(name: SurfaceName, kind: SurfaceKind, pieces: Vec<Piece>) -> Self {
         Self { name, kind, pieces, grade: None, field: None, limits: None, roughness: None, stated_allowance: None }
+    }
+
+    /// Whether it stands upright on the axis everywhere.
+    pub fn is_face(&self) -> bool {
+        self.pieces.iter().all(|piece| piece.is_face())
+    }
+
+    /// Whether it is cut into another surface: a groove or a relief. A thread counts as its cylinder.
+    pub fn is_groove(&self) -> bool {
+        self.kind.is_additional() && self.kind != SurfaceKind::Thread
     }
 
     /// Its piece, if it is a plain cylinder or one with a thread.

@@ -27,7 +27,7 @@ use crate::units::Degrees;
 
 pub use crate::tables::turning::part::{Element, ElementReason};
 
-use super::contour::{Contour, Piece, Profile, SurfaceKind, SurfaceName};
+use super::contour::{Contour, Piece, Profile, Surface, SurfaceName};
 use super::point::Point;
 use bridge::{BridgeSpan, Bridged, bridge};
 use classify::Seen;
@@ -120,14 +120,8 @@ pub struct Main {
 /// # Errors
 /// The knowledge base lacks the rule `turning-element` or a row of it.
 pub fn classify(profile: &Profile, tool: Angles, knowledge: &Knowledge) -> Result<Vec<Class>, KnowledgeError> {
-    let view = View::new(profile, tool.hand);
-    let bits = view.bits(profile);
-    let kind = |bit: &Bit| profile.surfaces.get(bit.surface).is_some_and(|one| is_bridged(one.kind));
-    let shades = Edges::of(tool).shades(&bits, |bit| !kind(bit));
-    let lost = |(bit, (shade, _)): (&Bit, &(Option<Shade>, bool))| {
-        kind(bit) || matches!(shade, Some(Shade::Behind | Shade::Over))
-    };
-    let lost: Vec<bool> = bits.iter().zip(&shades).map(lost).collect();
+    let (_, bits, shades) = seen(profile, tool);
+    let lost = lost(profile, &bits, &shades, |_| true);
     let spans = bridge(&bits, &lost).spans;
     let seen = Seen::new(&bits, &shades, &spans);
     let surfaces = profile.surfaces.iter().enumerate();
@@ -159,7 +153,7 @@ pub fn split(profile: &Profile, classes: &[Class], tool: Angles) -> Option<(Prof
         }
         let surfaces = own.iter().filter_map(|(index, own)| {
             let surface = profile.surfaces.get(*index)?;
-            Some(super::contour::Surface { pieces: view.back(own), ..surface.clone() })
+            Some(Surface { pieces: view.back(own), ..surface.clone() })
         });
         Profile { side: profile.side, surfaces: surfaces.collect() }
     };
@@ -169,22 +163,30 @@ pub fn split(profile: &Profile, classes: &[Class], tool: Angles) -> Option<(Prof
 
 /// The bits of a profile, and the bridges over those that its classes exclude.
 fn bridged(profile: &Profile, classes: &[Class], tool: Angles) -> (View, Vec<Bit>, Bridged) {
-    let view = View::new(profile, tool.hand);
-    let bits = view.bits(profile);
-    let kind = |bit: &Bit| profile.surfaces.get(bit.surface).is_some_and(|one| is_bridged(one.kind));
+    let (view, bits, shades) = seen(profile, tool);
     let additional = |bit: &Bit| classes.get(bit.surface).is_some_and(|class| class.element != Element::Main);
-    let shades = Edges::of(tool).shades(&bits, |bit| !kind(bit));
-    let lost = |(bit, (shade, _)): (&Bit, &(Option<Shade>, bool))| {
-        kind(bit) || (additional(bit) && matches!(shade, Some(Shade::Behind | Shade::Over)))
-    };
-    let lost: Vec<bool> = bits.iter().zip(&shades).map(lost).collect();
-    let done = bridge(&bits, &lost);
+    let done = bridge(&bits, &lost(profile, &bits, &shades, additional));
     (view, bits, done)
 }
 
-/// Whether a kind is cut into another surface. A thread counts as its cylinder.
-fn is_bridged(kind: SurfaceKind) -> bool {
-    kind.is_additional() && kind != SurfaceKind::Thread
+/// The bits of a profile as a tool sees them, and what keeps the tool from each. Grooves are no metal.
+fn seen(profile: &Profile, tool: Angles) -> (View, Vec<Bit>, Vec<(Option<Shade>, bool)>) {
+    let view = View::new(profile, tool.hand);
+    let bits = view.bits(profile);
+    let shades = Edges::of(tool).shades(&bits, |bit| !is_groove(profile, bit));
+    (view, bits, shades)
+}
+
+/// The bits that are bridged: grooves, and of those that may be what the tool does not reach from behind or from above.
+fn lost(profile: &Profile, bits: &[Bit], shades: &[(Option<Shade>, bool)], may: impl Fn(&Bit) -> bool) -> Vec<bool> {
+    let lost = |(bit, (shade, _)): (&Bit, &(Option<Shade>, bool))| {
+        is_groove(profile, bit) || (may(bit) && matches!(shade, Some(Shade::Behind | Shade::Over)))
+    };
+    bits.iter().zip(shades).map(lost).collect()
+}
+
+fn is_groove(profile: &Profile, bit: &Bit) -> bool {
+    profile.surfaces.get(bit.surface).is_some_and(Surface::is_groove)
 }
 
 fn valley(span: &BridgeSpan, view: View) -> Valley {

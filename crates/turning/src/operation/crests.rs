@@ -33,8 +33,7 @@ fn lowered(profile: &Profile, workpiece: &Workpiece) -> Vec<Lowered> {
     for (index, surface) in profile.surfaces.iter().enumerate() {
         let outer = profile.side == Side::Outer && surface.kind == SurfaceKind::Thread;
         let ([thread], true) = (surface.pieces.as_slice(), outer) else { continue };
-        let name = surface.name.to_string();
-        let crests = workpiece.threads.iter().find(|one| one.surface == name).and_then(|one| one.crests.as_ref());
+        let crests = workpiece.thread_on(&surface.name).and_then(|one| one.crests.as_ref());
         let (before, from) = profile.surfaces.split_at(index);
         let level = thread.from.radius;
         // A neck, or a groove, which begins and ends at the level of its thread.

@@ -8,9 +8,25 @@ use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity, doubtful_row};
 use crate::tables::turning::part::BoreDrillFor;
 use crate::turning::contour::{Contour, Side};
+use crate::turning::jobs::{Body, Job, Work};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::units::Micrometres;
+
+impl Job {
+    /// The diameter of the hole that it drills; none if it does something else.
+    pub(super) fn drills(&self) -> Option<Micrometres> {
+        match self.tool.body {
+            Body::Drill { diameter_mm, .. } if self.work == Work::Drill => Some(diameter_mm),
+            _ => None,
+        }
+    }
+
+    /// Whether its tool comes to a Z.
+    pub(super) fn comes_to(&self, z: Half) -> bool {
+        self.path.moves.iter().any(|one| one.to.z >= z)
+    }
+}
 
 /// A hole drilled first.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

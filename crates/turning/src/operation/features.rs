@@ -70,8 +70,7 @@ pub(super) fn thread_job(
 ) -> Result<Option<Job>, KnowledgeError> {
     let surfaces = &site.profile.surfaces;
     let Some(surface) = surfaces.get(index) else { return Ok(None) };
-    let name = surface.name.to_string();
-    let Some(cut) = bench.workpiece.threads.iter().find(|thread| thread.surface == name) else { return Ok(None) };
+    let Some(cut) = bench.workpiece.thread_on(&surface.name) else { return Ok(None) };
     if let Some(tapped) = &cut.tapped {
         return made(hole::tap(surfaces, index, cut, tapped, face, bench), findings);
     }
@@ -112,31 +111,24 @@ pub(super) fn hollow(
     let under = Contour { side: side.side, pieces: hollow.under.clone() };
     let pieces = with_allowances(bench.sizes.contour(under, set_up), &surfaces, bench).pieces;
     let whole = Surface { kind: SurfaceKind::RectangularGroove, pieces, ..(*floor).clone() };
-    match Refusal::split(groove(site(stretch, side, bench)?, &whole, bench))? {
-        Ok(job) => {
-            let surfaces = surfaces.into_iter().map(|surface| surface.name.clone()).collect();
-            Ok(Some(Job { surfaces, ..job }))
-        }
-        Err(why) => {
-            findings.extend(hollow.lacking.clone());
-            findings.push(Finding::of_part(Severity::Wrong, why.note()));
-            Ok(None)
-        }
+    let mut why = Vec::new();
+    let job = made(groove(site(stretch, side, bench)?, &whole, bench), &mut why)?;
+    if job.is_none() {
+        findings.extend(hollow.lacking.iter().cloned().chain(why));
     }
+    let surfaces = surfaces.into_iter().map(|surface| surface.name.clone()).collect();
+    Ok(job.map(|job| Job { surfaces, ..job }))
 }
 
 /// A hollow with what another machine takes off its cylinders: a blade must leave it, too.
 fn with_allowances(mut under: Contour, surfaces: &[&Surface], bench: &Bench<'_, '_>) -> Contour {
     let side = under.side;
     for surface in surfaces {
-        let later = bench.elsewhere.iter().find(|one| one.surface == surface.name);
+        let later = bench.later(&surface.name);
         let (Some(later), Some(own)) = (later, surface.pieces.iter().find(|piece| piece.is_cylinder())) else {
             continue;
         };
-        let raise = |radius: Half| match side {
-            Side::Outer => radius + later.allowance_mm,
-            Side::Inner => radius - later.allowance_mm,
-        };
+        let raise = |radius: Half| radius.off(later, side);
         for at in 0..under.pieces.len() {
             let lies_on = |piece: &Piece| piece.is_cylinder() && piece.from.z < own.to.z && own.from.z < piece.to.z;
             let Some(piece) = under.pieces.get_mut(at).filter(|piece| lies_on(piece)) else { continue };

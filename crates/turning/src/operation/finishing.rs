@@ -355,7 +355,7 @@ impl<'a> Finishing<'a> {
         let mut stretches: Vec<Stretch<'a>> = Vec::new();
         for surface in &self.surfaces {
             // Surfaces finished on another machine ask for no roughness here.
-            let made = bench.elsewhere.iter().all(|one| one.surface != surface.name);
+            let made = bench.later(&surface.name).is_none();
             let (roughness, unsaid) = match surface.roughness.filter(|_| made) {
                 Some(asked) => (asked, None),
                 None => {
@@ -363,7 +363,7 @@ impl<'a> Finishing<'a> {
                     (unsaid, Some(row))
                 }
             };
-            let is_face = surface.pieces.iter().all(|piece| piece.is_face());
+            let is_face = surface.is_face();
             let radius = surface.pieces.iter().map(|piece| piece.from.radius.max(piece.to.radius)).max();
             let limits = bench.sizes.of_surface(&surface.name).map(Sized::tolerance);
             let tolerance = radius.filter(|_| made && !is_face).and_then(|radius| {

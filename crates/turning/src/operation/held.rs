@@ -38,9 +38,8 @@ impl Held {
         knowledge: &Knowledge,
     ) -> Result<Option<Self>, KnowledgeError> {
         let length = workpiece.length();
-        let in_set_up = |contour: Contour| if set_up.turned_over { contour.turned_over(length) } else { contour };
-        let part = in_set_up(workpiece.outer.contour());
-        let blank = in_set_up(workpiece.blank.outer.clone());
+        let part = set_up.sees(&workpiece.outer.contour(), length);
+        let blank = set_up.sees(&workpiece.blank.outer, length);
         let turned = set_up.outer.as_ref().map(|outer| outer.main.contour.clone());
         let turned_to = turned.as_ref().and_then(Contour::end).map_or(Half::ZERO, |end| end.z);
         let far = |contour: &Contour| contour.pieces.iter().flat_map(|one| [one.from.z, one.to.z]).max();
@@ -51,7 +50,7 @@ impl Held {
             (_, Some(jaws)) => (PartSupport::Chuck, jaws.front_mm),
             _ => return Ok(None),
         };
-        let inner = workpiece.inner.as_ref().map(|inner| in_set_up(inner.contour()));
+        let inner = workpiece.inner.as_ref().map(|inner| set_up.sees(&inner.contour(), length));
         let bore = |from: Half, to: Half| {
             let within = inner.iter().flat_map(|inner| stretches(inner, from, to));
             within.map(|(.., radii)| radii.1).max().unwrap_or(Half::ZERO)

@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::note::{Finding, Note, Severity};
 use crate::tables::turning::jobs::JobLimit;
 use crate::turning::allowances::{Over, equidistant_over};
-use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Stretches, Surface, SurfaceKind};
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Stretches, Surface};
 use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -28,9 +28,8 @@ pub(super) fn left(
     let surfaces: Vec<Option<usize>> =
         main.pieces.iter().map(|piece| surface_of(piece, &stretch.profile, &along)).collect();
     let later = |surface: &Option<usize>| {
-        let name = surface.and_then(|index| stretch.profile.surfaces.get(index)).map(|surface| &surface.name);
-        let one = bench.elsewhere.iter().find(|one| Some(&one.surface) == name);
-        one.map_or(Half::ZERO, |one| one.allowance_mm)
+        let surface = surface.and_then(|index| stretch.profile.surfaces.get(index));
+        surface.and_then(|surface| bench.later(&surface.name)).unwrap_or(Half::ZERO)
     };
     let distances: Vec<Half> = surfaces.iter().map(later).collect();
     if distances.iter().all(|distance| *distance == Half::ZERO) {
@@ -155,10 +154,9 @@ fn led_into(cylinder: Piece, step: Piece, rise: Piece) -> Option<Piece> {
 /// A contour with its lines divided at the ends of surfaces: two cylinders of one diameter are one line of the main
 /// contour, but perhaps only one of them is ground later.
 fn parted(contour: &Contour, profile: &Profile, bench: &Bench<'_, '_>) -> Contour {
-    let later = |surface: &Surface| bench.elsewhere.iter().any(|one| one.surface == surface.name);
+    let later = |surface: &Surface| bench.later(&surface.name).is_some();
     // Grooves lie between them, or nothing.
-    let plain = |surface: &&Surface| !surface.kind.is_additional() || surface.kind == SurfaceKind::Thread;
-    let surfaces: Vec<&Surface> = profile.surfaces.iter().filter(plain).collect();
+    let surfaces: Vec<&Surface> = profile.surfaces.iter().filter(|surface| !surface.is_groove()).collect();
     let beside = surfaces.iter().zip(surfaces.iter().skip(1));
     // What is ground begins and ends at its own edge, so that a groove beside it has the step.
     let ends = beside.filter_map(|(one, next)| {

@@ -104,9 +104,8 @@ impl Jaws {
         let length = workpiece.length();
         let turned = set_up.outer.as_ref().and_then(|outer| outer.main.contour.end());
         // Behind a thread at the end of it the tool runs out.
-        let last =
-            set_up.outer.as_ref().and_then(|outer| outer.profile.surfaces.last()).map(|last| last.name.to_string());
-        let thread = workpiece.threads.iter().find(|thread| last.as_ref() == Some(&thread.surface));
+        let last = set_up.outer.as_ref().and_then(|outer| outer.profile.surfaces.last());
+        let thread = last.and_then(|last| workpiece.thread_on(&last.name));
         let run_out = thread.and_then(|thread| thread.longest_run_out).map_or(Half::ZERO, Half::of);
         let turned = turned.map_or(Half::ZERO, |end| end.z) + run_out;
         let (from, to, grips_mm, touches) = match &set_up.holds_at {

@@ -9,7 +9,7 @@ use crate::turning::elements::Element;
 use crate::turning::jobs::along::{along, dip};
 use crate::turning::jobs::hole::{self, Hole, HoleEnd};
 use crate::turning::jobs::limits::Limits;
-use crate::turning::jobs::{Body, Job, JobTool, Pace, Work as JobWork};
+use crate::turning::jobs::{Job, JobTool, Pace, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 use crate::turning::program::{Feeds, Speed};
@@ -40,11 +40,7 @@ pub(super) fn jobs(
     if let Some(axial) = axial {
         jobs.extend(axial.jobs(rough_face(sides), bench, findings)?);
     }
-    let there = jobs.iter().filter_map(|job| match job.tool.body {
-        Body::Drill { diameter_mm, .. } if job.work == JobWork::Drill => Some(diameter_mm),
-        _ => None,
-    });
-    let there = there.max().unwrap_or_default();
+    let there = jobs.iter().filter_map(Job::drills).max().unwrap_or_default();
     for side in sides {
         for zone in &side.zones {
             for (index, work) in zone.works.iter().enumerate() {
@@ -159,8 +155,7 @@ fn drilled(
 /// The radius to which a bore narrows within the reach of the point of a drill that ends at a depth; zero at a
 /// bottom, none where the drill may come out.
 fn narrower(set_up: &SetUp, depth: Half, drill: Half, bench: &Bench<'_, '_>) -> Option<Half> {
-    let whole = bench.workpiece.inner.as_ref()?.contour();
-    let whole = if set_up.turned_over { whole.turned_over(bench.workpiece.length()) } else { whole };
+    let whole = set_up.sees(&bench.workpiece.inner.as_ref()?.contour(), bench.workpiece.length());
     let end = whole.end()?;
     if end.radius == Half::ZERO && end.z <= depth + drill {
         return Some(Half::ZERO);
@@ -370,10 +365,7 @@ fn rising_behind(seen: &Contour, last: Half, over_lip: Half) -> Vec<Piece> {
     let rises = |piece: &Piece| {
         [piece.direction_at_start(), piece.direction_at_end()].into_iter().all(|along| out(along) >= -1e-9)
     };
-    let top = beyond.start().map(|start| match seen.side {
-        Side::Outer => start.radius + over_lip,
-        Side::Inner => start.radius - over_lip,
-    });
+    let top = beyond.start().map(|start| start.radius.off(over_lip, seen.side));
     let mut followed = Vec::new();
     for piece in beyond.pieces.iter().take_while(|piece| rises(piece)) {
         let ends = top.and_then(|top| piece.at_radius(top).first().copied()).filter(|end| *end != piece.from);

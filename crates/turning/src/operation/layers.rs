@@ -381,16 +381,14 @@ fn ground_behind(left: &Contour, bench: &Bench<'_, '_>) -> Half {
     let end = left.end();
     let begins =
         |surface: &&Surface| surface.pieces.first().is_some_and(|first| Some(first.from) == end && !first.is_face());
-    let behind = part.and_then(|part| part.surfaces.iter().find(begins)).map(|surface| &surface.name);
-    let elsewhere = bench.elsewhere.iter().find(|one| Some(&one.surface) == behind);
-    elsewhere.map_or(Half::ZERO, |one| one.allowance_mm)
+    let behind = part.and_then(|part| part.surfaces.iter().find(begins));
+    behind.and_then(|surface| bench.later(&surface.name)).unwrap_or(Half::ZERO)
 }
 
 /// A contour that steps away from the part by so much at its end.
 fn off_the_part(mut contour: Contour, by: Half) -> Contour {
     if let Some(end) = contour.end().filter(|_| by > Half::ZERO) {
-        let radius = if contour.side == Side::Outer { end.radius + by } else { end.radius - by };
-        let to = Point { radius, z: end.z };
+        let to = Point { radius: end.radius.off(by, contour.side), z: end.z };
         match contour.pieces.last_mut().filter(|last| last.is_face()) {
             Some(last) => last.to = to,
             None => contour.pieces.push(Piece::line(end, to)),
@@ -491,8 +489,7 @@ fn standing(
 ) -> Result<Option<SideStock>, KnowledgeError> {
     let workpiece = bench.workpiece;
     let (Some(start), Some(end)) = (rough.start(), rough.end()) else { return Ok(None) };
-    let seen =
-        |contour: &Contour| if set_up.turned_over { contour.turned_over(workpiece.length()) } else { contour.clone() };
+    let seen = |contour: &Contour| set_up.sees(contour, workpiece.length());
     let reach = |contour: &Contour| {
         let from = contour.start().map_or(start.z, |first| first.z).min(start.z);
         let mut clipped = super::clip::between(contour, from, end.z);

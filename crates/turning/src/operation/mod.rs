@@ -35,7 +35,6 @@ mod jaws;
 mod jobs;
 pub mod layers;
 mod left_out;
-mod level;
 mod opened;
 mod parted;
 mod pocket;
@@ -69,7 +68,7 @@ use crate::tables::cutting::Process;
 use crate::turning::allowances::capability::Elsewhere;
 use crate::turning::contour::Side;
 use crate::turning::elements::Angles;
-use crate::turning::jobs::{Body, Job, Work as JobWork};
+use crate::turning::jobs::{Job, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::workpiece::{Advice, Blank, Workpiece, advice};
 use crate::turning::zones::{self, Hold, SetUp};
@@ -311,20 +310,8 @@ fn plan_without(
     let bench = Bench::of(workpiece, lathe.as_ref(), material, &none, knowledge);
     let tried = if parts_off { Refusal::split(Parted::of(workpiece, &bench))? } else { Err(NotParted::Hole) };
     let mut parted = tried.ok();
-    let mut set_ups = zones::set_ups(
-        zones::Workpiece {
-            outer: &workpiece.outer,
-            inner: workpiece.inner.as_ref(),
-            length: workpiece.length(),
-            blank: &workpiece.blank.outer,
-            holding: workpiece.holding,
-            lends: !workpiece.is_only_roughed(),
-            rest: workpiece.steady_rest,
-            parted: parted.map(Parted::jaws_from),
-        },
-        Angles::CONTOURING,
-        knowledge,
-    )?;
+    let jaws_from = parted.map(Parted::jaws_from);
+    let mut set_ups = zones::set_ups(workpiece, jaws_from, Angles::CONTOURING, knowledge)?;
     // A far face that nothing but a thread holds the part for is parted to length.
     let held = |one: &SetUp| !matches!(one.holds_at, None | Some(Hold::Surface { threaded: true, .. }));
     let only_faced = |one: &SetUp| one.outer.is_none() && one.inner.is_none() && !held(one);
@@ -447,16 +434,11 @@ fn slug(set_up: &SetUp, before: &[SetUpWork], jobs: &[Job], workpiece: &Workpiec
         return None;
     }
     let earlier = before.iter().flat_map(|one| &one.jobs).filter(|job| job.work == JobWork::Drill);
-    let to = |job: &&Job, z: Half| job.path.moves.iter().any(|one| one.to.z >= z);
     // Parted behind a hole that goes on: nothing is left in it.
-    if workpiece.blank.end() > workpiece.length() && earlier.clone().any(|job| to(&job, workpiece.blank.end())) {
+    if workpiece.blank.end() > workpiece.length() && earlier.clone().any(|job| job.comes_to(workpiece.blank.end())) {
         return None;
     }
-    let deep = earlier.filter(|job| to(job, workpiece.length()));
-    let diameters = deep.filter_map(|job| match job.tool.body {
-        Body::Drill { diameter_mm, .. } => Some(diameter_mm),
-        _ => None,
-    });
+    let diameters = earlier.filter(|job| job.comes_to(workpiece.length())).filter_map(Job::drills);
     let note = Note::new("face-frees-slug").with("number", set_up.number).with("diameter", diameters.max()?);
     Some(Finding::of_part(Severity::Doubtful, note))
 }

@@ -1,8 +1,8 @@
 //! The hole that the first set-up leaves open at the far face of the part.
 
 use crate::turning::contour::{Contour, Side};
+use crate::turning::jobs::Work as JobWork;
 use crate::turning::jobs::hole::point_length;
-use crate::turning::jobs::{Body, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::nose::Nose;
 use crate::turning::point::Point;
@@ -14,12 +14,9 @@ use super::{SetUpWork, SideWork};
 /// The diameter of the hole that the set-ups before have made as far as the far face of the part; zero where there is none.
 pub(super) fn opened(before: &[SetUpWork], length: Half) -> Micrometres {
     let jobs = before.iter().flat_map(|one| &one.jobs).filter(|job| job.side == Side::Inner);
-    let drills = jobs.clone().filter_map(|job| match job.tool.body {
-        Body::Drill { diameter_mm, .. } if job.work == JobWork::Drill => {
-            let tip = job.path.moves.iter().map(|one| one.to.z).max()?;
-            (tip - point_length(Half::radius_of(diameter_mm)) >= length).then_some(diameter_mm)
-        }
-        _ => None,
+    let drills = jobs.clone().filter_map(|job| {
+        let (diameter, tip) = (job.drills()?, job.path.moves.iter().map(|one| one.to.z).max()?);
+        (tip - point_length(Half::radius_of(diameter)) >= length).then_some(diameter)
     });
     let is_bored = jobs.clone().any(|job| job.work == JobWork::Finish);
     let sides =

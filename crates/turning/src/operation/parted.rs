@@ -1,16 +1,17 @@
 //! A part that is parted off its bar at the end of the first set-up.
 
 use crate::error::{KnowledgeError, Refusal, Tried};
-use crate::note::{Finding, Severity};
+use crate::note::Finding;
 use crate::turning::contour::{Contour, SurfaceName};
+use crate::turning::jobs::Job;
 use crate::turning::jobs::part_off::{Parting, face_stock, jaw_gap, part_off, width};
-use crate::turning::jobs::{Body, Job, Work};
 use crate::turning::length::Half;
 use crate::turning::shaft::Holding;
 use crate::turning::workpiece::{StockKind, Workpiece};
 use crate::turning::zones::JawLengths;
 use crate::units::Micrometres;
 
+use super::features::made;
 use super::tools::Bench;
 use super::{Jaws, clip};
 
@@ -153,28 +154,10 @@ impl Parted {
         findings: &mut Vec<Finding>,
     ) -> Result<Option<Job>, KnowledgeError> {
         let past = self.drilled_to();
-        let drilled = before.iter().filter_map(|job| match job.tool.body {
-            Body::Drill { diameter_mm, .. }
-                if job.work == Work::Drill && past.is_some_and(|past| reaches(job, past)) =>
-            {
-                Some(diameter_mm)
-            }
-            _ => None,
-        });
-        let drilled = drilled.max().unwrap_or_default();
-        match Refusal::split(part_off(&self.task(bench.workpiece, jaws, drilled), bench))? {
-            Ok(job) => Ok(Some(job)),
-            Err(why) => {
-                findings.push(Finding::of_part(Severity::Wrong, why.note()));
-                Ok(None)
-            }
-        }
+        let through = before.iter().filter(|job| past.is_some_and(|past| job.comes_to(past)));
+        let drilled = through.filter_map(Job::drills).max().unwrap_or_default();
+        made(part_off(&self.task(bench.workpiece, jaws, drilled), bench), findings)
     }
-}
-
-/// Whether the tool of a job comes to a Z.
-fn reaches(job: &Job, z: Half) -> bool {
-    job.path.moves.iter().any(|one| one.to.z >= z)
 }
 
 /// The diameter of the bore at the far end; zero where none goes through.

@@ -13,10 +13,10 @@ use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::transitions::Stock;
+use crate::turning::transitions::monotone::MonotoneContour;
 use crate::turning::zones::{Zone, ZoneKind, ZonePart};
 
 use super::clip;
-use super::level::raised;
 
 /// A stock to be cleared by one scheme.
 #[derive(Clone, Debug)]
@@ -93,6 +93,19 @@ fn floor(zone: &Zone, side: Side) -> Option<Half> {
     }
 }
 
+/// The greater of a monotone outer contour and a level; for a bore the smaller.
+pub(super) fn raised(contour: &Contour, level: Half) -> Contour {
+    let top = contour.radii().map_or(Half::ZERO, |(_, most)| most);
+    match contour.side {
+        Side::Outer => {
+            let (from, to) = (contour.start().unwrap_or_default().z, contour.end().unwrap_or_default().z);
+            let pieces = MonotoneContour::of(contour).clamped(level, Half::new(i64::MAX), from, to);
+            Contour { side: Side::Outer, pieces }
+        }
+        Side::Inner => raised(&contour.inside_out(top), top - level).inside_out(top),
+    }
+}
+
 /// Whether a cylindrical blank stands over a level by a depth somewhere.
 fn deep_enough(blank: &Contour, level: Half, least: Half) -> bool {
     let Some((low, high)) = blank.radii() else { return false };
@@ -165,4 +178,34 @@ pub(super) fn cut(contour: &Contour, from: Point, to: Point) -> Vec<Piece> {
     }
     pieces.retain(|piece| !piece.is_nothing());
     pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::turning::contour::Turn;
+    use crate::turning::point::at;
+
+    /// A pin of radius 10, a fillet of 10 up to 20, a cylinder. The centre of the fillet is (20, 20), so its radius is
+    /// 14 at z = 20 + √(100 − 36) = 28.
+    fn pin() -> Contour {
+        let mut pin = Contour::through(Side::Outer, &[at(10.0, 0.0), at(10.0, 20.0)]);
+        pin.pieces.push(Piece::arc(at(10.0, 20.0), at(20.0, 30.0), Half::from(10.0), Turn::Left));
+        pin.pieces.push(Piece::line(at(20.0, 30.0), at(20.0, 40.0)));
+        pin
+    }
+
+    #[test]
+    fn a_contour_is_parted_at_a_level() {
+        let over = raised(&pin(), Half::from(14.0));
+        assert_eq!(over.corners(), [at(14.0, 0.0), at(14.0, 28.0), at(20.0, 30.0), at(20.0, 40.0)]);
+        assert!(over.hangs_together());
+    }
+
+    #[test]
+    fn a_bore_is_parted_the_other_way() {
+        let bore = pin().inside_out(Half::from(50.0));
+        let over = raised(&bore, Half::from(36.0));
+        assert_eq!(over, raised(&pin(), Half::from(14.0)).inside_out(Half::from(50.0)));
+    }
 }

@@ -16,7 +16,7 @@ use crate::turning::jobs::{Body, Job, JobTool, Tip, Work};
 use crate::turning::length::Half;
 use crate::turning::program::Control;
 use crate::turning::tooling::{Hand, Place, ToolKind, TurningTool};
-use crate::turning::workpiece::{Thread, ThreadLimits};
+use crate::turning::workpiece::{ThreadLimits, Workpiece};
 use crate::turning::zones::Hold;
 use crate::units::{Degrees, Micrometres};
 
@@ -198,7 +198,7 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
         set_ups: set_ups.collect(),
         tools: tools.collect::<Result<_, KnowledgeError>>()?,
         sizes: operation.set_ups.iter().flat_map(|set_up| sizes(set_up, &operation.sizes)).collect(),
-        threads: operation.set_ups.iter().flat_map(|set_up| threads(set_up, &part.threads, &language)).collect(),
+        threads: operation.set_ups.iter().flat_map(|set_up| threads(set_up, part, &language)).collect(),
     })
 }
 
@@ -213,13 +213,16 @@ fn sizes<'a>(set_up: &'a SetUpWork, all: &'a Sizes) -> impl Iterator<Item = SetS
 }
 
 /// The threads that a set-up cuts.
-fn threads<'a>(set_up: &'a SetUpWork, all: &'a [Thread], control: &'a Control) -> impl Iterator<Item = SetThread> + 'a {
+fn threads<'a>(
+    set_up: &'a SetUpWork,
+    part: &'a Workpiece,
+    control: &'a Control,
+) -> impl Iterator<Item = SetThread> + 'a {
     let jobs = set_up.jobs.iter().filter(|job| matches!(job.work, Work::Thread | Work::Tap));
     let cut = jobs.flat_map(|job| job.surfaces.iter().map(move |surface| (job, surface)));
     cut.filter_map(|(job, surface)| {
         let side = job.side;
-        let name = surface.to_string();
-        let thread = all.iter().find(|one| one.surface == name)?;
+        let thread = part.thread_on(surface)?;
         let pitch_diameter = thread.flanks.as_ref().map(DiameterLimits::of);
         let best = || Micrometres::from_mm_rounded(thread.pitch.to_mm() * 2.0 / 3.0 * TRIANGLE);
         let wire_mm = (side == Side::Outer).then(best);

@@ -265,11 +265,11 @@ struct Cylinder {
 /// The cylinders as they are made: one without a size of its own has that of its neighbour on the same diameter, before or behind
 /// it, also over grooves; alone it has that of the drawing. The floor of a groove has its own.
 fn as_made(profile: &Profile, cylinders: &[Cylinder]) -> Vec<Resized> {
-    let of_groove = |one: &&Cylinder| profile.surfaces.get(one.index).is_some_and(is_groove);
+    let of_groove = |one: &&Cylinder| profile.surfaces.get(one.index).is_some_and(Surface::is_groove);
     let (floors, walls): (Vec<&Cylinder>, Vec<&Cylinder>) = cylinders.iter().partition(of_groove);
     let on = |one: &Cylinder, next: &Cylinder| {
         let mut between = profile.surfaces.get(one.index + 1..next.index).unwrap_or_default().iter();
-        between.all(is_groove) && one.piece.from.radius == next.piece.from.radius
+        between.all(Surface::is_groove) && one.piece.from.radius == next.piece.from.radius
     };
     let mut made: Vec<Option<Half>> = walls.iter().map(|one| one.made).collect();
     for index in 1..walls.len() {
@@ -289,9 +289,4 @@ fn as_made(profile: &Profile, cylinders: &[Cylinder]) -> Vec<Resized> {
     });
     let all: Vec<Resized> = each.collect();
     if all.iter().any(|one| one.made != one.drawn) { all } else { Vec::new() }
-}
-
-/// Whether a surface is a groove or a relief.
-fn is_groove(surface: &Surface) -> bool {
-    surface.kind.is_additional() && surface.kind != SurfaceKind::Thread
 }

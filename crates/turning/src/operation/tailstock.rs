@@ -54,8 +54,7 @@ impl Tailstock {
         else {
             return Ok(None);
         };
-        let blank = workpiece.blank.outer.clone();
-        let blank = if set_up.turned_over { blank.turned_over(workpiece.length()) } else { blank };
+        let blank = set_up.sees(&workpiece.blank.outer, workpiece.length());
         let first = blank.pieces.iter().find(|piece| piece.from.z != piece.to.z);
         let Some(end) = first.map(|piece| piece.from) else { return Ok(None) };
         let mouth_mm = centre_hole_for(end.radius.diameter(), knowledge)?.map_or(Micrometres::ZERO, |row| row.cone);

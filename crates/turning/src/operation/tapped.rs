@@ -22,7 +22,7 @@ use crate::units::Micrometres;
 use super::Operation as Planned;
 
 /// Threads that are cut another way than the rule takes first, by their surface.
-type Other = BTreeMap<String, InnerThreadWay>;
+type Other = BTreeMap<SurfaceName, InnerThreadWay>;
 
 /// The workpiece with the way of each thread in its bore.
 ///
@@ -83,7 +83,7 @@ fn others(operation: &Planned, knowledge: &Knowledge) -> Result<Other, Knowledge
     let Some(inner) = &operation.workpiece.inner else { return Ok(others) };
     let cut = |thread: &Thread| {
         let mut surfaces = operation.set_ups.iter().flat_map(|one| &one.jobs).flat_map(|job| &job.surfaces);
-        surfaces.any(|surface| surface.to_string() == thread.surface)
+        surfaces.any(|surface| *surface == thread.surface)
     };
     for thread in &operation.workpiece.threads {
         if index_of(inner, thread).is_none() || cut(thread) {
@@ -144,7 +144,7 @@ pub(super) fn bored_beside_limits(
 
 /// The thread's surface in the bore.
 fn index_of(inner: &Profile, thread: &Thread) -> Option<(usize, SurfaceName)> {
-    let is_it = |surface: &Surface| surface.kind == SurfaceKind::Thread && surface.name.to_string() == thread.surface;
+    let is_it = |surface: &Surface| surface.kind == SurfaceKind::Thread && surface.name == thread.surface;
     let (index, surface) = inner.surfaces.iter().enumerate().find(|(_, surface)| is_it(surface))?;
     Some((index, surface.name.clone()))
 }

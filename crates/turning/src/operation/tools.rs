@@ -139,6 +139,11 @@ impl<'a, 'k> Bench<'a, 'k> {
         self.through.filter(|_| end >= self.workpiece.length()).map_or(end, |past| past.max(end))
     }
 
+    /// The allowance that another machine takes off a surface; none of one that is finished here.
+    pub fn later(&self, surface: &SurfaceName) -> Option<Half> {
+        self.elsewhere.iter().find(|one| one.surface == *surface).map(|one| one.allowance_mm)
+    }
+
     /// Whether a groove or a thread must be left, because the proof rejected its toolpath.
     pub fn leaves(&self, surface: &SurfaceName) -> bool {
         self.barred.iter().any(|one| one.stage == Stage::Cutting && one.surfaces.contains(surface))

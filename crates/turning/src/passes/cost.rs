@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::turning::length::Half;
 use crate::turning::shaft::Rates;
-use crate::units::{MillimetresPerMinute, Minutes};
+use crate::units::{MillimetresPerMinute, Minutes, round_to};
 
 use super::pass::{PassDirection, PassEnd, PassStart, legs};
 
@@ -36,6 +36,24 @@ impl Objective {
             Self::Path => "path",
             Self::PathAndPasses { .. } => "path-and-passes",
             Self::Time { .. } => "time",
+            Self::Passes => "passes",
+        }
+    }
+
+    /// Its quantity in output: mm, min or passes.
+    pub(super) fn shown(self, main: u64) -> f64 {
+        match self {
+            Self::Path | Self::PathAndPasses { .. } => main as f64 / 2000.0,
+            Self::Time { .. } => round_to(minutes(main).0, 4),
+            Self::Passes => main as f64,
+        }
+    }
+
+    /// The unit of that.
+    pub(super) const fn unit(self) -> &'static str {
+        match self {
+            Self::Path | Self::PathAndPasses { .. } => "mm",
+            Self::Time { .. } => "min",
             Self::Passes => "passes",
         }
     }

@@ -3,7 +3,9 @@
 //! Radii count from the axis, Z from the face of the free end towards the chuck. Levels count from the bar inwards,
 //! slices from the free end: the order in which a tool can reach them.
 
-use crate::turning::length::Half;
+use serde::Serialize;
+
+use crate::turning::length::{Half, as_diameter, negative_z};
 use crate::turning::shaft::{Division, Shaft};
 use crate::units::Micrometres;
 
@@ -11,26 +13,39 @@ use crate::units::Micrometres;
 pub const MOST_STATES: u64 = 1_000_000;
 
 /// The metal of one longitudinal pass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Level {
     /// Radius before.
+    #[serde(rename = "from_diameter_mm", serialize_with = "as_diameter")]
     pub from: Half,
     /// Radius after.
+    #[serde(rename = "to_diameter_mm", serialize_with = "as_diameter")]
     pub to: Half,
+    /// Between these.
+    #[serde(rename = "depth_mm")]
+    pub depth: Half,
     /// Z of the shoulder that it meets.
+    #[serde(rename = "shoulder_z_mm", serialize_with = "negative_z")]
     pub end: Half,
 }
 
 /// The metal of one transverse pass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Slice {
     /// Z before.
+    #[serde(rename = "from_z_mm", serialize_with = "negative_z")]
     pub from: Half,
     /// Z after.
+    #[serde(rename = "to_z_mm", serialize_with = "negative_z")]
     pub to: Half,
+    /// Between these.
+    #[serde(rename = "depth_mm")]
+    pub depth: Half,
     /// Radius of the step that it goes down to.
+    #[serde(rename = "bottom_diameter_mm", serialize_with = "as_diameter")]
     pub bottom: Half,
     /// The step, from 0.
+    #[serde(skip)]
     pub step: usize,
 }
 
@@ -74,15 +89,15 @@ impl Grid {
         let mut outer = bar;
         for cylinder in cylinders.iter().rev() {
             for (from, to) in divide(outer - cylinder.radius, longitudinal, division) {
-                levels.push(Level { from: outer - from, to: outer - to, end: cylinder.to });
+                levels.push(Level { from: outer - from, to: outer - to, depth: to - from, end: cylinder.to });
             }
             outer = cylinder.radius;
         }
         let mut slices = Vec::new();
         for (step, cylinder) in cylinders.iter().enumerate() {
             for (from, to) in divide(cylinder.to - cylinder.from, transverse, division) {
-                let (from, to) = (cylinder.from + from, cylinder.from + to);
-                slices.push(Slice { from, to, bottom: cylinder.radius, step });
+                let (depth, from, to) = (to - from, cylinder.from + from, cylinder.from + to);
+                slices.push(Slice { from, to, depth, bottom: cylinder.radius, step });
             }
         }
         Self { bar, cylinders, levels, slices, longitudinal_depth: longitudinal, transverse_depth: transverse }

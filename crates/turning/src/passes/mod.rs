@@ -18,15 +18,16 @@ use serde::Serialize;
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Figure, Finding, Note, Severity};
-use crate::units::{Micrometres, Minutes};
+use crate::units::Minutes;
 
 use super::length::Half;
+use super::point::Point;
 use super::schemes::rates;
 use super::shaft::{Moves, Rates, Shaft};
 use cost::{Cost, Objective, minutes};
-use grid::Grid;
+use grid::{Grid, Level, Slice};
 use optimum::CostToGo;
-use pass::{LathePoint, Pass, PassDirection};
+use pass::{Pass, PassDirection};
 
 /// How many cuts the search over rich moves compares at most: some seconds.
 const EFFORT: usize = 4_000_000;
@@ -42,9 +43,9 @@ pub struct Sequences {
     /// The permitted moves of passes.
     pub moves: Moves,
     /// The levels from the bar inwards.
-    pub levels: Vec<LevelEntry>,
+    pub levels: Vec<Level>,
     /// The slices from the free end.
-    pub slices: Vec<SliceEntry>,
+    pub slices: Vec<Slice>,
     /// `longitudinal`, `transverse`, `per-step`, `optimal`, in this order.
     pub variants: Vec<Variant>,
     /// With rich moves, the lower bound that is proven for the optimum. Without them the optimum is exact.
@@ -52,32 +53,6 @@ pub struct Sequences {
     pub proof: Option<rich::SearchProof>,
     /// Remarks for the reader.
     pub findings: Vec<Finding>,
-}
-
-/// A level in the output.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct LevelEntry {
-    /// Diameter before, mm.
-    pub from_diameter_mm: Micrometres,
-    /// Diameter after, mm.
-    pub to_diameter_mm: Micrometres,
-    /// Its radial depth, mm.
-    pub depth_mm: Half,
-    /// Z of its shoulder, mm.
-    pub shoulder_z_mm: Half,
-}
-
-/// A slice in the output.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct SliceEntry {
-    /// Z before, mm.
-    pub from_z_mm: Half,
-    /// Z after, mm.
-    pub to_z_mm: Half,
-    /// Its axial depth, mm.
-    pub depth_mm: Half,
-    /// Diameter that it goes down to, mm.
-    pub bottom_diameter_mm: Micrometres,
 }
 
 /// A sequence of passes.
@@ -108,9 +83,9 @@ pub struct PassEntry {
     /// Its direction.
     pub kind: PassDirection,
     /// Where the metal begins.
-    pub from: LathePoint,
+    pub from: Point,
     /// Where it ends.
-    pub to: LathePoint,
+    pub to: Point,
     /// Its largest depth, mm: radial of a longitudinal pass, axial of a transverse one.
     pub depth_mm: Half,
     /// Its length in metal, mm.
@@ -159,8 +134,8 @@ pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Resul
         shaft: shaft.clone(),
         objective,
         moves: shaft.roughing.moves,
-        levels: grid.levels.iter().map(level_entry).collect(),
-        slices: grid.slices.iter().map(slice_entry).collect(),
+        levels: grid.levels,
+        slices: grid.slices,
         variants,
         proof,
         findings,
@@ -189,17 +164,12 @@ fn variant(
     best: Cost,
 ) -> Variant {
     let own = total(&passes, objective, grid);
-    let shown = |main: u64| match objective {
-        Objective::Path | Objective::PathAndPasses { .. } => main as f64 / 2000.0,
-        Objective::Time { .. } => crate::units::round_to(minutes(main).0, 4),
-        Objective::Passes => main as f64,
-    };
     let above = if best.main == 0 { 0.0 } else { (own.main as f64 / best.main as f64 - 1.0) * 100.0 };
     let entry = |(index, pass): (usize, &Pass)| PassEntry {
         number: index + 1,
         kind: pass.kind,
-        from: pass.from.into(),
-        to: pass.to.into(),
+        from: pass.from,
+        to: pass.to,
         depth_mm: pass.depth,
         length_mm: pass.length(),
         reason: pass.reason.clone(),
@@ -207,28 +177,10 @@ fn variant(
     Variant {
         name,
         cutting_path_mm: passes.iter().map(Pass::length).sum(),
-        cost: shown(own.main),
+        cost: objective.shown(own.main),
         above_optimum_percent: crate::units::round_to(above, 2),
         time_min: minutes(total(&passes, Objective::Time { rates }, grid).main).rounded(4),
         passes: passes.iter().enumerate().map(entry).collect(),
         drawn: passes,
-    }
-}
-
-fn level_entry(level: &grid::Level) -> LevelEntry {
-    LevelEntry {
-        from_diameter_mm: level.from.diameter(),
-        to_diameter_mm: level.to.diameter(),
-        depth_mm: level.from - level.to,
-        shoulder_z_mm: Half::ZERO - level.end,
-    }
-}
-
-fn slice_entry(slice: &grid::Slice) -> SliceEntry {
-    SliceEntry {
-        from_z_mm: Half::ZERO - slice.from,
-        to_z_mm: Half::ZERO - slice.to,
-        depth_mm: slice.to - slice.from,
-        bottom_diameter_mm: slice.bottom.diameter(),
     }
 }

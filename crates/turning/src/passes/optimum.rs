@@ -155,28 +155,14 @@ impl<'g> CostToGo<'g> {
 /// Why a pass was taken: the remaining cost after either pass.
 fn reason(objective: Objective, each: [Cost; 2], taken: usize) -> Note {
     let (own, other) = (each[taken], each[1 - taken]);
-    let shown = |cost: Cost| match objective {
-        Objective::Path | Objective::PathAndPasses { .. } => {
-            Half::new(i64::try_from(cost.main).unwrap_or(i64::MAX)).to_string()
-        }
-        Objective::Passes => cost.main.to_string(),
-        Objective::Time { .. } => crate::units::round_to(super::cost::minutes(cost.main).0, 4).to_string(),
-    };
+    let shown = |cost: Cost| Figure::number(objective.shown(cost.main).to_string());
     let code = match (objective, own.main == other.main) {
         (_, true) => "pass-as-good",
         (Objective::Path | Objective::PathAndPasses { .. }, _) => "pass-shorter",
         (Objective::Time { .. }, _) => "pass-quicker",
         (Objective::Passes, _) => "pass-fewer",
     };
-    let unit = match objective {
-        Objective::Path | Objective::PathAndPasses { .. } => "mm",
-        Objective::Time { .. } => "min",
-        Objective::Passes => "passes",
-    };
-    Note::new(code)
-        .with("unit", unit)
-        .with("left", Figure::number(shown(own)))
-        .with("otherwise", Figure::number(shown(other)))
+    Note::new(code).with("unit", objective.unit()).with("left", shown(own)).with("otherwise", shown(other))
 }
 
 /// A move of the grid as a pass.

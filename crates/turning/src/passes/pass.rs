@@ -6,7 +6,6 @@ use crate::note::Note;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
 use crate::turning::shaft::Rates;
-use crate::units::Micrometres;
 
 technolog_knowledge::vocabulary! {
     /// The direction of a pass.
@@ -83,21 +82,6 @@ impl Pass {
     /// Where it ends.
     pub const fn end(&self) -> PassEnd {
         PassEnd { kind: self.kind, at: self.to }
-    }
-}
-
-/// A point in lathe coordinates: diameter, and Z, which is negative towards the chuck from the face of the free end.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct LathePoint {
-    /// Diameter, mm.
-    pub diameter_mm: Micrometres,
-    /// Z, mm.
-    pub z_mm: Half,
-}
-
-impl From<Point> for LathePoint {
-    fn from(point: Point) -> Self {
-        Self { diameter_mm: point.radius.diameter(), z_mm: Half::ZERO - point.z }
     }
 }
 

@@ -75,8 +75,7 @@ fn of_step(grid: &Grid, index: usize, cylinder: &Cylinder, kind: PassDirection) 
                 let from = Point { radius: level.to, z: cylinder.from };
                 let far = Point { radius: level.from, z: cylinder.to };
                 let to = Point { radius: level.to, z: cylinder.to };
-                let depth = level.from - level.to;
-                Pass { kind, from, to, depth, removed: rectangle(from, far), reason: reason.clone() }
+                Pass { kind, from, to, depth: level.depth, removed: rectangle(from, far), reason: reason.clone() }
             })
             .collect()
         }
@@ -86,8 +85,7 @@ fn of_step(grid: &Grid, index: usize, cylinder: &Cylinder, kind: PassDirection) 
                 let from = Point { radius: grid.bar, z: slice.to };
                 let to = Point { radius: slice.bottom, z: slice.to };
                 let near = Point { radius: slice.bottom, z: slice.from };
-                let depth = slice.to - slice.from;
-                Pass { kind, from, to, depth, removed: rectangle(near, from), reason: reason.clone() }
+                Pass { kind, from, to, depth: slice.depth, removed: rectangle(near, from), reason: reason.clone() }
             })
             .collect()
         }

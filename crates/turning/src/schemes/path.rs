@@ -37,15 +37,17 @@ pub enum VertexRole {
 }
 
 /// A point of the path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Vertex {
     /// Its position.
+    #[serde(flatten)]
     pub at: Point,
     /// The motion to it.
     pub motion: Motion,
     /// Its role.
     pub role: VertexRole,
     /// The part of the feed motion before the metal: δ, or zero.
+    #[serde(skip)]
     pub air: Half,
 }
 

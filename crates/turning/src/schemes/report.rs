@@ -3,12 +3,12 @@
 use serde::Serialize;
 
 use crate::turning::length::Half;
-use crate::turning::levels::Levels;
 use crate::turning::numbering::Numbering;
 use crate::turning::point::Point;
 use crate::turning::shaft::Rates;
-use crate::units::{Micrometres, MillimetresPerMinute, Minutes, round_to};
+use crate::units::{MillimetresPerMinute, Minutes, round_to};
 
+use super::levels::Levels;
 use super::path::{Motion, Vertex, VertexRole};
 
 /// A point of the path.
@@ -18,31 +18,20 @@ pub struct SchemePoint {
     /// points the next ones in the order of the first visit, as in the figures of the lecture. A point that is visited
     /// again keeps its name.
     pub name: String,
-    /// Diameter, mm.
-    pub diameter_mm: Micrometres,
-    /// Z, mm: negative towards the chuck.
-    pub z_mm: Half,
-    /// The motion to it.
-    pub motion: Motion,
-    /// Its role.
-    pub role: VertexRole,
+    /// Its position, its role and the motion to it.
+    #[serde(flatten)]
+    pub vertex: Vertex,
 }
 
 /// The points of a path with their names.
 pub fn points(path: &[Vertex], levels: &Levels) -> Vec<SchemePoint> {
     let mut numbers = Numbering::after(0);
-    for cylinder in levels.sections.iter().flat_map(|section| &section.cylinders) {
+    for cylinder in &levels.cylinders {
         numbers.number(Point { radius: cylinder.radius, z: cylinder.from });
     }
     let point = |vertex: &Vertex| {
         let name = if vertex.role == VertexRole::Home { "A".to_owned() } else { numbers.name(vertex.at) };
-        SchemePoint {
-            name,
-            diameter_mm: vertex.at.radius.diameter(),
-            z_mm: Half::ZERO - vertex.at.z,
-            motion: vertex.motion,
-            role: vertex.role,
-        }
+        SchemePoint { name, vertex: *vertex }
     };
     path.iter().map(point).collect()
 }

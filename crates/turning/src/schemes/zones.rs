@@ -7,9 +7,10 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::Because;
 use crate::turning::length::Half;
-use crate::turning::levels::Levels;
 use crate::turning::workpiece::Scheme;
 use crate::turning::zones::kind::{Bounds, Circumstances, ClassifiedZone, ZoneKind, alone, scheme, together};
+
+use super::levels::Levels;
 
 /// A zone, with the schemes that suit it.
 #[derive(Clone, Debug, Serialize)]
@@ -33,7 +34,7 @@ pub struct SchemeZone {
 /// # Errors
 /// The knowledge base lacks a rule or a row of it.
 pub fn zones(levels: &Levels, knowledge: &Knowledge) -> Result<Vec<SchemeZone>, KnowledgeError> {
-    let cylinders: Vec<_> = levels.sections.iter().flat_map(|section| &section.cylinders).collect();
+    let cylinders = &levels.cylinders;
     let mut zones = Vec::new();
     let mut kinds = Vec::new();
     for (index, cylinder) in cylinders.iter().enumerate() {

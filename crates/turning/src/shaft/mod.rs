@@ -106,26 +106,28 @@ pub struct Roughing {
     pub moves: Moves,
 }
 
-/// The division of the stock between two shoulders.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Division {
-    /// Full depths, the remainder last.
-    #[default]
-    Full,
-    /// As few equal depths as the largest allows.
-    Equal,
-}
+technolog_knowledge::vocabulary! {
+    /// The division of the stock between two shoulders.
+    #[derive(Default, Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Division {
+        /// Full depths, the remainder last.
+        #[default]
+        Full = "full",
+        /// As few equal depths as the largest allows.
+        Equal = "equal",
+    }
 
-/// The permitted moves of passes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Moves {
-    /// Those of the paper: a level to the shoulder, or a slice down to the step.
-    #[default]
-    Basic,
-    /// Passes may stop anywhere on the grid and take less than the full depth.
-    Rich,
+    /// The permitted moves of passes.
+    #[derive(Default, Serialize, Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Moves {
+        /// Those of the paper: a level to the shoulder, or a slice down to the step.
+        #[default]
+        Basic = "basic",
+        /// Passes may stop anywhere on the grid and take less than the full depth.
+        Rich = "rich",
+    }
 }
 
 /// The rates of the tool, and its distances from the metal.

@@ -33,6 +33,13 @@ pub(crate) struct PlacedStep {
     pub(crate) length: Option<Placed<Micrometres>>,
 }
 
+impl PlacedStep {
+    /// The step, if all of it could be read.
+    pub(super) fn whole(self) -> Option<Step> {
+        Some(Step { diameter: self.diameter?.0, length: self.length?.0 })
+    }
+}
+
 /// A blank, as far as it could be read.
 #[derive(Default)]
 struct PlacedBlank {
@@ -64,7 +71,6 @@ impl Reader<'_> {
         if let Some(shape) = &shape {
             shape::check(shape, kind, &steps, diameter.as_ref(), length.as_ref(), self);
         }
-        let whole = |step: PlacedStep| Some(Step { diameter: step.diameter?.0, length: step.length?.0 });
         let (material, material_state) = material?;
         let shaft = Shaft {
             shaft: name?,
@@ -72,9 +78,9 @@ impl Reader<'_> {
             material_state,
             machine: machine?,
             blank: Blank { kind: kind?, diameter: diameter?.0, length: length?.0 },
-            blank_steps: shape.map_or(Some(Vec::new()), |shape| shape.steps.into_iter().map(whole).collect())?,
+            blank_steps: shape.map_or(Some(Vec::new()), BlankShape::whole)?,
             holding: holding?.unwrap_or_default(),
-            steps: steps.into_iter().map(whole).collect::<Option<_>>()?,
+            steps: steps.into_iter().map(PlacedStep::whole).collect::<Option<_>>()?,
             roughing: roughing?,
             rates: rates?,
         };
@@ -120,20 +126,14 @@ impl Reader<'_> {
         let mut fields = self.problems.map(node)?;
         let longitudinal = self.need(&mut fields, file::Roughing::longitudinal_depth);
         let transverse = self.need(&mut fields, file::Roughing::transverse_depth);
-        let division = match fields.take(file::Roughing::division) {
-            Some(node) => self.choice(node, &[("full", Division::Full), ("equal", Division::Equal)]),
-            None => Some(Division::default()),
-        };
-        let moves = match fields.take(file::Roughing::moves) {
-            Some(node) => self.choice(node, &[("basic", Moves::Basic), ("rich", Moves::Rich)]),
-            None => Some(Moves::default()),
-        };
+        let division = given(fields.take(file::Roughing::division), |node| self.choice(node, Division::NAMES));
+        let moves = given(fields.take(file::Roughing::moves), |node| self.choice(node, Moves::NAMES));
         fields.finish(&mut self.problems);
         Some(Roughing {
             longitudinal_depth: longitudinal?.0,
             transverse_depth: transverse?.0,
-            division: division?,
-            moves: moves?,
+            division: division?.unwrap_or_default(),
+            moves: moves?.unwrap_or_default(),
         })
     }
 

@@ -5,13 +5,20 @@ use crate::knowledge::diagnostic::Place;
 use crate::turning::reading::{Placed, Reader, mistake};
 use crate::units::Micrometres;
 
-use super::BlankKind;
 use super::read::PlacedStep;
+use super::{BlankKind, Step};
 
 /// The steps of a blank and their place in the file.
 pub(crate) struct BlankShape {
     pub(crate) steps: Vec<PlacedStep>,
     pub(crate) place: Place,
+}
+
+impl BlankShape {
+    /// The steps, if all of them could be read.
+    pub(crate) fn whole(self) -> Option<Vec<Step>> {
+        self.steps.into_iter().map(PlacedStep::whole).collect()
+    }
 }
 
 /// Compares every step of the blank with the one before it and with the cylinder around the blank, and every step of

@@ -6,9 +6,9 @@
 //! 4. The largest mean depth is the one depth t_p of the whole zone (d).
 //! 5. The horizontals lie at t_p, 2·t_p, … under each top, the last at the deepest point of the section (e).
 //!
-//! Over cylinders under a cylindrical blank these are the levels of [`crate::turning::levels`]; a test compares them. A
-//! cone or an arc counts with its deepest point, and a blank that is not a cylinder with its highest, so the true depth
-//! of a pass is nowhere above t_p.
+//! Radii are whole halves of a micrometre, so a mean depth is rounded up to one, which never adds a pass. A cone or an arc
+//! counts with its deepest point, and a blank that is not a cylinder with its highest, so the true depth of a pass is nowhere
+//! above t_p.
 
 use std::collections::BTreeSet;
 

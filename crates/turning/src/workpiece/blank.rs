@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::turning::contour::{Contour, Side};
 use crate::turning::length::Half;
 use crate::turning::point::Point;
+use crate::turning::shaft::Step;
 use crate::units::Micrometres;
 
 pub use super::preparation::{Advice, advice};
@@ -39,6 +40,17 @@ impl Blank {
         }
     }
 
+    /// The same with steps from the free end; behind them it has its full diameter.
+    #[must_use]
+    pub fn with_steps(self, steps: &[Step]) -> Self {
+        let (radius, end) = (Half::radius_of(self.largest_diameter()), self.end());
+        let mut points = corners(Half::ZERO - self.face(), steps);
+        if let Some(last) = points.last().copied().filter(|last| last.z < end) {
+            points.extend([Point { radius, z: last.z }, Point { radius, z: end }]);
+        }
+        Self { outer: Contour::through(Side::Outer, &points), ..self }
+    }
+
     /// The stock on the finished face of the free end.
     pub fn face(&self) -> Half {
         Half::ZERO - self.outer.start().map_or(Half::ZERO, |start| start.z)
@@ -66,4 +78,17 @@ impl Blank {
     pub fn largest_diameter(&self) -> Micrometres {
         self.outer.radii().map_or(Micrometres::ZERO, |(_, most)| most.diameter())
     }
+}
+
+/// The corners of steps, from the axis at the free end.
+pub(super) fn corners(begins: Half, steps: &[Step]) -> Vec<Point> {
+    let mut z = begins;
+    let mut points = vec![Point { radius: Half::ZERO, z }];
+    for step in steps {
+        let radius = Half::radius_of(step.diameter);
+        points.push(Point { radius, z });
+        z = z + Half::of(step.length);
+        points.push(Point { radius, z });
+    }
+    points
 }

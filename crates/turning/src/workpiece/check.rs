@@ -130,33 +130,20 @@ pub(super) fn within_blank(outer: &Walked, inner: Option<&Walked>, blank: &Blank
             );
             break;
         }
-        if let Some((z, part, limit)) = outside(surface, &blank.outer) {
-            reader.fault::<()>(
-                mistake!(
-                    "part-beyond-blank",
-                    surface = surface.name,
-                    z = Half::ZERO - z,
-                    diameter = part.diameter(),
-                    blank = limit.diameter()
-                ),
-                place,
-            );
-        }
+        beyond("part-beyond-blank", surface, &blank.outer, place, reader);
     }
     let (Some(bore), Some(inner)) = (&blank.inner, inner) else { return };
     for (surface, place) in &inner.surfaces {
-        if let Some((z, part, limit)) = outside(surface, bore) {
-            reader.fault::<()>(
-                mistake!(
-                    "blank-bore-beyond-part",
-                    surface = surface.name,
-                    z = Half::ZERO - z,
-                    diameter = part.diameter(),
-                    blank = limit.diameter()
-                ),
-                place,
-            );
-        }
+        beyond("blank-bore-beyond-part", surface, bore, place, reader);
+    }
+}
+
+/// Checks that a surface is within a contour of the blank.
+fn beyond(code: &'static str, surface: &Surface, blank: &Contour, place: &Place, reader: &mut Reader<'_>) {
+    if let Some((z, part, limit)) = outside(surface, blank) {
+        let (z, diameter, blank) = (Half::ZERO - z, part.diameter(), limit.diameter());
+        let mistake = mistake!(code, surface = surface.name, z = z, diameter = diameter, blank = blank);
+        reader.fault::<()>(mistake, place);
     }
 }
 

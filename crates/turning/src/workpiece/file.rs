@@ -200,21 +200,23 @@ forms! {
     }
 }
 
-/// How allowances are found.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum MethodFile {
-    /// From tables.
-    Table,
-    /// From stated errors.
-    Analytic,
-    /// As stated here.
-    Stated,
+technolog_knowledge::vocabulary! {
+    /// How allowances are found.
+    #[derive(Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum MethodFile {
+        /// From tables.
+        Table = "table",
+        /// From stated errors.
+        Analytic = "analytic",
+        /// As stated here.
+        Stated = "stated",
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::item_file::GrooveKind;
+    use super::super::item_file::{Bulge, ConeKind, GrooveKind};
     use super::super::items::MOST_ITEMS;
     use super::*;
     use crate::knowledge::Word;
@@ -247,13 +249,13 @@ mod tests {
             let choices = schema.as_value().pointer(&format!("/$defs/{name}/oneOf")).unwrap();
             choices.as_array().unwrap().iter().map(|one| one["const"].as_str().unwrap().to_owned()).collect()
         };
-        assert_eq!(words("GrooveKind"), GrooveKind::NAMES.map(|(name, _)| name));
+        assert_eq!(words("GrooveKind"), GrooveKind::WORDS);
         assert_eq!(words("StockKind"), StockKind::WORDS);
         assert_eq!(words("Scheme"), Scheme::WORDS);
         assert_eq!(words("HeatTreatment"), HeatTreatment::WORDS);
-        assert_eq!(words("MethodFile"), ["table", "analytic", "stated"]);
-        assert_eq!(words("Bulge"), ["in", "out"]);
-        assert_eq!(words("ConeKind"), ["cone", "chamfer"]);
+        assert_eq!(words("MethodFile"), MethodFile::WORDS);
+        assert_eq!(words("Bulge"), Bulge::WORDS);
+        assert_eq!(words("ConeKind"), ConeKind::WORDS);
     }
 
     /// Both descriptions of the form must agree: these types accept the examples, which the reader accepts, and refuse

@@ -8,22 +8,6 @@ use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
 impl GrooveKind {
-    /// Every one, as files name it.
-    pub const NAMES: [(&'static str, Self); 7] = [
-        ("grinding-relief", Self::GrindingRelief),
-        ("corner", Self::Corner),
-        ("thread-relief", Self::ThreadRelief),
-        ("rectangular", Self::Rectangular),
-        ("trapezoid", Self::Trapezoid),
-        ("pulley", Self::Pulley),
-        ("face", Self::Face),
-    ];
-
-    /// Its name in the file.
-    pub fn name(self) -> &'static str {
-        Self::NAMES.iter().find(|(_, kind)| *kind == self).map_or("", |(name, _)| name)
-    }
-
     /// The surface that it makes.
     pub const fn surface(self) -> SurfaceKind {
         match self {

@@ -180,42 +180,44 @@ items! {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 pub struct Angle(#[schemars(range(min = 0.0, max = 180.0))] pub f64);
 
-/// What a slanting line is.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum ConeKind {
-    /// A cone.
-    Cone,
-    /// It breaks an edge.
-    Chamfer,
-}
+technolog_knowledge::vocabulary! {
+    /// What a slanting line is.
+    #[derive(Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum ConeKind {
+        /// A cone.
+        Cone = "cone",
+        /// It breaks an edge.
+        Chamfer = "chamfer",
+    }
 
-/// To which side an arc bends.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Bulge {
-    /// Into the metal: a fillet.
-    In,
-    /// Out of it: a ball.
-    Out,
-}
+    /// To which side an arc bends.
+    #[derive(Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Bulge {
+        /// Into the metal: a fillet.
+        In = "in",
+        /// Out of it: a ball.
+        Out = "out",
+    }
 
-/// Kinds of grooves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum GrooveKind {
-    /// For the grinding wheel, in a cylinder.
-    GrindingRelief,
-    /// For the grinding wheel, in the corner of a cylinder and a face.
-    Corner,
-    /// At the end of a thread.
-    ThreadRelief,
-    /// With upright walls.
-    Rectangular,
-    /// With slanting walls.
-    Trapezoid,
-    /// For a belt.
-    Pulley,
-    /// In a face.
-    Face,
+    /// Kinds of grooves.
+    #[derive(Deserialize, JsonSchema)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum GrooveKind {
+        /// For the grinding wheel, in a cylinder.
+        GrindingRelief = "grinding-relief",
+        /// For the grinding wheel, in the corner of a cylinder and a face.
+        Corner = "corner",
+        /// At the end of a thread.
+        ThreadRelief = "thread-relief",
+        /// With upright walls.
+        Rectangular = "rectangular",
+        /// With slanting walls.
+        Trapezoid = "trapezoid",
+        /// For a belt.
+        Pulley = "pulley",
+        /// In a face.
+        Face = "face",
+    }
 }

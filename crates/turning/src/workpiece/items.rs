@@ -10,10 +10,9 @@ use crate::units::{Decimal, Deviation, ItGrade, Micrometres, Roughness};
 use technolog_core::part::Deviations;
 
 use super::grade;
-use super::item_file::GrooveKind;
 use super::item_file::{
-    ArcItem, ChamferItem, ConeItem, CylinderItem, FaceItem, FromItem, GrooveItem, LimitsFile, PointFile, Stretch,
-    Surface, ThreadItem,
+    ArcItem, Bulge, ChamferItem, ConeItem, ConeKind, CylinderItem, FaceItem, FromItem, GrooveItem, GrooveKind,
+    LimitsFile, PointFile, Stretch, Surface, ThreadItem,
 };
 use super::thread::{self, ThreadSize};
 
@@ -33,48 +32,79 @@ pub(super) enum Owner {
     Blank,
 }
 
-/// The kind of an item.
-#[derive(Clone, Copy)]
-enum ItemKind {
-    From,
-    Face,
-    Cylinder,
-    Cone,
-    Chamfer,
-    Arc,
-    Thread,
-    Groove,
+/// Where an item stands: its node, the side of its contour, and who owns that.
+type ItemAt<'n> = (&'n Node, Side, Owner);
+
+/// A kind of items.
+struct ItemKind {
+    /// The key that it is known by.
+    main: &'static str,
+    /// All its keys.
+    keys: fn() -> Vec<&'static str>,
+    /// Whether a blank has such items, too.
+    of_blank: bool,
+    read: fn(&mut Reader<'_>, ItemAt<'_>) -> Option<ContourItem>,
 }
 
-impl ItemKind {
-    /// The keys of such an item.
-    fn keys(self) -> Vec<&'static str> {
-        fn names<F: Form>() -> Vec<&'static str> {
-            F::KEYS.iter().map(|key| key.name()).collect()
-        }
-        match self {
-            Self::From => names::<FromItem>(),
-            Self::Face => names::<FaceItem>(),
-            Self::Cylinder => names::<CylinderItem>(),
-            Self::Cone => names::<ConeItem>(),
-            Self::Chamfer => names::<ChamferItem>(),
-            Self::Arc => names::<ArcItem>(),
-            Self::Thread => names::<ThreadItem>(),
-            Self::Groove => names::<GrooveItem>(),
-        }
-    }
+const fn kind<F: Form>(
+    main: KeyOf<F>,
+    of_blank: bool,
+    read: fn(&mut Reader<'_>, ItemAt<'_>) -> Option<ContourItem>,
+) -> ItemKind {
+    ItemKind { main: main.name(), keys: || F::KEYS.iter().map(|key| key.name()).collect(), of_blank, read }
 }
 
-/// The kinds, each with its key.
-const ITEMS: [(ItemKind, &str); 8] = [
-    (ItemKind::From, FromItem::from.name()),
-    (ItemKind::Face, FaceItem::face.name()),
-    (ItemKind::Cylinder, CylinderItem::cylinder.name()),
-    (ItemKind::Cone, ConeItem::cone.name()),
-    (ItemKind::Chamfer, ChamferItem::chamfer.name()),
-    (ItemKind::Arc, ArcItem::arc.name()),
-    (ItemKind::Thread, ThreadItem::thread.name()),
-    (ItemKind::Groove, GrooveItem::groove.name()),
+/// The kinds.
+static ITEMS: [ItemKind; 8] = [
+    kind(FromItem::from, true, |reader, (node, _, owner)| {
+        let mut fields = reader.problems.map(node)?;
+        let point = fields.need(FromItem::from, &mut reader.problems);
+        let shape = ItemShape::From(reader.to(point, owner));
+        fields.finish(&mut reader.problems);
+        Some(ContourItem { place: node.place.clone(), shape, attributes: Attributes::default() })
+    }),
+    kind(FaceItem::face, true, |reader, at| {
+        reader.surface(at, FaceItem::face, |reader, value, fields| {
+            let limits = fields.take(FaceItem::limits).and_then(|node| reader.limits(node, at.2));
+            ItemShape::Face(reader.diameter(value, FaceItem::face.name()), limits)
+        })
+    }),
+    kind(CylinderItem::cylinder, true, |reader, at| {
+        reader.surface(at, CylinderItem::cylinder, |reader, value, fields| {
+            let limits = fields.take(CylinderItem::limits).and_then(|node| reader.limits(node, at.2));
+            ItemShape::Cylinder(reader.along(value, at.2), limits)
+        })
+    }),
+    kind(ConeItem::cone, true, |reader, at| {
+        reader.surface(at, ConeItem::cone, |reader, value, fields| {
+            let to = reader.to(value, at.2);
+            let kind = fields.take(ConeItem::kind).and_then(|node| reader.choice(node, ConeKind::NAMES));
+            ItemShape::Cone { to, chamfer: kind == Some(ConeKind::Chamfer) }
+        })
+    }),
+    kind(ChamferItem::chamfer, true, |reader, at| {
+        reader.surface(at, ChamferItem::chamfer, |reader, value, _| {
+            ItemShape::Chamfer(reader.length(value, ChamferItem::chamfer.name()))
+        })
+    }),
+    kind(ArcItem::arc, true, |reader, at| {
+        reader.surface(at, ArcItem::arc, |reader, value, fields| {
+            let to = reader.to(value, at.2);
+            let radius = reader.arc_radius(fields);
+            let bulge = fields.need(ArcItem::bulge, &mut reader.problems);
+            let bulge = bulge.and_then(|node| reader.choice(node, Bulge::NAMES));
+            ItemShape::Arc { to, radius, bulge }
+        })
+    }),
+    kind(ThreadItem::thread, false, |reader, at| {
+        reader.surface(at, ThreadItem::thread, |reader, value, fields| {
+            let size = value.and_then(|node| reader.thread(node, at.1));
+            ItemShape::Thread { size, along: reader.thread_end(fields, at.2) }
+        })
+    }),
+    kind(GrooveItem::groove, false, |reader, at| {
+        reader.surface(at, GrooveItem::groove, |reader, value, fields| ItemShape::Groove(reader.groove(value, fields)))
+    }),
 ];
 
 /// A length as far as it could be read.
@@ -99,8 +129,8 @@ pub(super) enum ItemShape {
     Cone { to: EndPoint, chamfer: bool },
     /// At 45° over so much of each direction.
     Chamfer(Measure),
-    /// Along an arc; whether it is hollow.
-    Arc { to: EndPoint, radius: Measure, hollow: Option<bool> },
+    /// Along an arc.
+    Arc { to: EndPoint, radius: Measure, bulge: Option<Bulge> },
     /// A cylinder with a thread.
     Thread { size: Option<Placed<ThreadSize>>, along: Along },
     /// A groove.
@@ -160,16 +190,16 @@ impl Reader<'_> {
 
     fn item(&mut self, node: &Node, side: Side, owner: Owner) -> Option<ContourItem> {
         let mut fields = self.problems.open_map(node)?;
-        let mut mains = ITEMS.iter().filter(|(_, main)| node.get(main).is_some());
-        let Some((kind, main)) = mains.next() else {
-            let known = ITEMS.map(|(_, main)| main);
+        let mut kinds = ITEMS.iter().filter(|kind| node.get(kind.main).is_some());
+        let Some(kind) = kinds.next() else {
+            let known = ITEMS.each_ref().map(|kind| kind.main);
             let attributes = FaceItem::ATTRIBUTES.map(KeyOf::name);
             let NodeKind::Map(entries) = &node.kind else { return None };
             let mistyped = |key: &str| similar_key(key, &known).filter(|_| !attributes.contains(&key));
             if let Some(main) = entries.iter().find_map(|(key, _)| mistyped(&key.text)) {
                 // The other keys of such an item are no faults.
-                let kind = ITEMS.iter().find(|(_, known)| *known == main);
-                let keys = kind.map_or_else(Vec::new, |(kind, _)| kind.keys());
+                let kind = ITEMS.iter().find(|kind| kind.main == main);
+                let keys = kind.map_or_else(Vec::new, |kind| (kind.keys)());
                 for key in &keys {
                     fields.take(*key);
                 }
@@ -180,57 +210,19 @@ impl Reader<'_> {
             }
             return self.fault(mistake!("item-without-surface", known = known.join(", ")), &node.place);
         };
-        if let Some((_, other)) = mains.next() {
-            return self.fault(mistake!("two-surfaces-in-one", one = main, other = other), &node.place);
+        if let Some(other) = kinds.next() {
+            return self.fault(mistake!("two-surfaces-in-one", one = kind.main, other = other.main), &node.place);
         }
-        if owner == Owner::Blank && matches!(kind, ItemKind::Thread | ItemKind::Groove) {
-            return self.fault(mistake!("item-of-a-part", key = main), &node.place);
+        if owner == Owner::Blank && !kind.of_blank {
+            return self.fault(mistake!("item-of-a-part", key = kind.main), &node.place);
         }
-        let at = (node, side, owner);
-        match kind {
-            ItemKind::From => {
-                let mut fields = self.problems.map(node)?;
-                let point = fields.need(FromItem::from, &mut self.problems);
-                let shape = ItemShape::From(self.to(point, owner));
-                fields.finish(&mut self.problems);
-                Some(ContourItem { place: node.place.clone(), shape, attributes: Attributes::default() })
-            }
-            ItemKind::Face => self.surface(at, FaceItem::face, |reader, value, fields| {
-                let limits = fields.take(FaceItem::limits).and_then(|node| reader.limits(node, owner));
-                ItemShape::Face(reader.diameter(value, FaceItem::face.name()), limits)
-            }),
-            ItemKind::Cylinder => self.surface(at, CylinderItem::cylinder, |reader, value, fields| {
-                let limits = fields.take(CylinderItem::limits).and_then(|node| reader.limits(node, owner));
-                ItemShape::Cylinder(reader.along(value, owner), limits)
-            }),
-            ItemKind::Cone => self.surface(at, ConeItem::cone, |reader, value, fields| ItemShape::Cone {
-                to: reader.to(value, owner),
-                chamfer: reader.is_chamfer(fields),
-            }),
-            ItemKind::Chamfer => self.surface(at, ChamferItem::chamfer, |reader, value, _| {
-                ItemShape::Chamfer(reader.length(value, ChamferItem::chamfer.name()))
-            }),
-            ItemKind::Arc => self.surface(at, ArcItem::arc, |reader, value, fields| {
-                let to = reader.to(value, owner);
-                let radius = reader.arc_radius(fields);
-                let bulge = fields.need(ArcItem::bulge, &mut reader.problems);
-                let hollow = bulge.and_then(|node| reader.choice(node, &[("in", true), ("out", false)]));
-                ItemShape::Arc { to, radius, hollow }
-            }),
-            ItemKind::Thread => self.surface(at, ThreadItem::thread, |reader, value, fields| ItemShape::Thread {
-                size: value.and_then(|node| reader.thread(node, side)),
-                along: reader.thread_end(fields, owner),
-            }),
-            ItemKind::Groove => self.surface(at, GrooveItem::groove, |reader, value, fields| {
-                ItemShape::Groove(reader.groove(value, fields))
-            }),
-        }
+        (kind.read)(self, (node, side, owner))
     }
 
     /// An item that is a surface; one of a blank has no attributes.
     fn surface<'n, F: Surface>(
         &mut self,
-        (node, side, owner): (&'n Node, Side, Owner),
+        (node, side, owner): ItemAt<'n>,
         main: KeyOf<F>,
         read: impl FnOnce(&mut Self, Option<&'n Node>, &mut Fields<'n, F>) -> ItemShape,
     ) -> Option<ContourItem> {
@@ -346,12 +338,6 @@ impl Reader<'_> {
         }
     }
 
-    fn is_chamfer(&mut self, fields: &mut Fields<'_, ConeItem>) -> bool {
-        let kind =
-            fields.take(ConeItem::kind).and_then(|node| self.choice(node, &[("cone", false), ("chamfer", true)]));
-        kind.unwrap_or(false)
-    }
-
     /// The radius of an arc. In programs of controls a negative radius means the greater part of a circle.
     fn arc_radius(&mut self, fields: &mut Fields<'_, ArcItem>) -> Measure {
         let node = fields.need(ArcItem::radius, &mut self.problems)?;
@@ -411,7 +397,7 @@ impl Reader<'_> {
             unreadable |= angle.is_none();
             Some((angle?, node.place.clone()))
         });
-        let kind = self.choice(node?, &GrooveKind::NAMES)?;
+        let kind = self.choice(node?, GrooveKind::NAMES)?;
         Some(GrooveValues { kind, width, depth, radius, angle, unreadable })
     }
 }

@@ -33,7 +33,7 @@ use crate::material::MaterialState;
 use crate::note::{Because, Finding};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 
-use super::contour::{Profile, Side};
+use super::contour::{Profile, Side, SurfaceName};
 use super::length::Half;
 use super::shaft::{self, Holding, Shaft};
 pub use crate::tables::turning::part::{HeatTreatment, JawKind};
@@ -130,6 +130,11 @@ impl Workpiece {
         }
     }
 
+    /// The thread on a surface.
+    pub fn thread_on(&self, surface: &SurfaceName) -> Option<&Thread> {
+        self.threads.iter().find(|thread| thread.surface == *surface)
+    }
+
     /// Whether its file gives no allowance at all: the short form, whose diameters are those after roughing.
     pub fn is_only_roughed(&self) -> bool {
         let none = Micrometres::ZERO;
@@ -165,7 +170,7 @@ impl SteadyRest {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Thread {
     /// The name of the surface.
-    pub surface: String,
+    pub surface: SurfaceName,
     /// The thread as the drawing writes it.
     pub written: String,
     /// Its nominal diameter, mm.

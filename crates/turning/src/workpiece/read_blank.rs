@@ -2,12 +2,10 @@
 
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node};
-use crate::turning::contour::{Contour, Side};
+use crate::turning::contour::Side;
 use crate::turning::length::Half;
-use crate::turning::point::Point;
 use crate::turning::reading::{Reader, given, mistake};
 use crate::turning::shaft::BlankKind;
-use crate::turning::shaft::read::PlacedStep;
 use crate::turning::shaft::shape::{self, BlankShape};
 use crate::units::Micrometres;
 
@@ -107,7 +105,7 @@ impl Reader<'_> {
         let (diameter, length, face) = (diameter?.0, length?.0, Half::of(face?));
         let blank = Blank::cylinder(kind, Half::radius_of(diameter), bore, face, Half::of(length));
         match steps {
-            Some(shape) => Some(Blank { outer: stepped(&shape.steps, diameter, length, face)?, ..blank }),
+            Some(shape) => Some(blank.with_steps(&shape.whole()?)),
             None => Some(blank),
         }
     }
@@ -146,23 +144,4 @@ impl Reader<'_> {
         }
         walked
     }
-}
-
-/// The outside of a stepped blank: its steps from the free end, behind them its full diameter.
-fn stepped(steps: &[PlacedStep], diameter: Micrometres, length: Micrometres, face: Half) -> Option<Contour> {
-    let mut z = Half::ZERO - face;
-    let end = z + Half::of(length);
-    let mut points = vec![Point { radius: Half::ZERO, z }];
-    for step in steps {
-        let ((diameter, _), (long, _)) = (step.diameter.as_ref()?, step.length.as_ref()?);
-        let radius = Half::radius_of(*diameter);
-        points.push(Point { radius, z });
-        z = z + Half::of(*long);
-        points.push(Point { radius, z });
-    }
-    let radius = Half::radius_of(diameter);
-    if z < end {
-        points.extend([Point { radius, z }, Point { radius, z: end }]);
-    }
-    Some(Contour::through(Side::Outer, &points))
 }

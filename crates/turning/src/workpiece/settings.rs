@@ -7,16 +7,8 @@ use crate::turning::length::Half;
 use crate::turning::reading::{Reader, given, mistake};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 
-use super::file::{AllowancesFile, ContourRates, ContourRoughing, ErrorsFile, SteadyRestFile};
+use super::file::{AllowancesFile, ContourRates, ContourRoughing, ErrorsFile, MethodFile as Method, SteadyRestFile};
 use super::{Allowances, Blank, Errors, Microns, Rates, Roughing, Scheme, SteadyRest};
-
-/// How allowances are found, as files name it.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Method {
-    Table,
-    Analytic,
-    Stated,
-}
 
 impl Reader<'_> {
     /// A steady rest, which must stand on one cylinder of the blank.
@@ -53,16 +45,15 @@ impl Reader<'_> {
 
     pub(super) fn allowances(&mut self, node: &Node) -> Option<Allowances> {
         let mut fields = self.problems.map(node)?;
-        let methods = [("table", Method::Table), ("analytic", Method::Analytic), ("stated", Method::Stated)];
         let method =
-            fields.need(AllowancesFile::method, &mut self.problems).and_then(|node| self.choice(node, &methods));
+            fields.need(AllowancesFile::method, &mut self.problems).and_then(|node| self.choice(node, Method::NAMES));
         let mut of = |key: KeyOf<AllowancesFile>, owner: Method, reader: &mut Self| -> Option<&Node> {
             // Required by one method, useless for the others.
             let node = if method == Some(owner) { fields.need(key, &mut reader.problems) } else { fields.take(key) };
             match node {
                 Some(node) if method.is_some_and(|method| method != owner) => {
-                    let owner = if owner == Method::Stated { "stated" } else { "analytic" };
-                    reader.fault(mistake!("allowance-of-another-method", key = key.name(), owner = owner), &node.place)
+                    let mistake = mistake!("allowance-of-another-method", key = key.name(), owner = owner.name());
+                    reader.fault(mistake, &node.place)
                 }
                 node => node,
             }

@@ -2,10 +2,10 @@
 
 use crate::turning::contour::{Contour, Piece, Profile, Side, Surface, SurfaceKind, SurfaceName};
 use crate::turning::length::Half;
-use crate::turning::point::Point;
 use crate::turning::shaft::{BlankKind, Shaft, Step};
 use crate::units::Micrometres;
 
+use super::blank::corners;
 use super::{Allowances, Blank, HeatTreatment, JawKind, Rates, Roughing, StockKind, Workpiece};
 
 impl From<&Shaft> for Workpiece {
@@ -18,14 +18,7 @@ impl From<&Shaft> for Workpiece {
             BlankKind::Casting => StockKind::Casting,
         };
         let (radius, length) = (Half::radius_of(shaft.blank.diameter), Half::of(shaft.blank.length));
-        let mut blank = Blank::cylinder(kind, radius, None, Half::ZERO, length);
-        if !shaft.blank_steps.is_empty() {
-            let mut points = corners(&shaft.blank_steps);
-            if let Some(last) = points.last().copied().filter(|last| last.z < length) {
-                points.extend([Point { radius, z: last.z }, Point { radius, z: length }]);
-            }
-            blank.outer = Contour::through(Side::Outer, &points);
-        }
+        let blank = Blank::cylinder(kind, radius, None, Half::ZERO, length).with_steps(&shaft.blank_steps);
         Self {
             name: shaft.shaft.clone(),
             material: shaft.material.clone(),
@@ -53,22 +46,9 @@ impl From<&Shaft> for Workpiece {
     }
 }
 
-/// The corners of steps from the axis at the free end.
-fn corners(steps: &[Step]) -> Vec<Point> {
-    let mut points = vec![Point::default()];
-    let mut z = Half::ZERO;
-    for step in steps {
-        let radius = Half::radius_of(step.diameter);
-        points.push(Point { radius, z });
-        z = z + Half::of(step.length);
-        points.push(Point { radius, z });
-    }
-    points
-}
-
 fn outer(steps: &[Step]) -> Profile {
     let mut surfaces: Vec<Surface> = Vec::new();
-    for piece in Contour::through(Side::Outer, &corners(steps)).pieces {
+    for piece in Contour::through(Side::Outer, &corners(Half::ZERO, steps)).pieces {
         let kind = if piece.is_face() { SurfaceKind::Face } else { SurfaceKind::Cylinder };
         // Steps of one diameter are one cylinder.
         if let Some(last) = surfaces.last_mut().filter(|last| last.kind == kind) {

@@ -57,23 +57,20 @@ pub(super) fn of(
     let (size, pitch) = (thread.size, thread.pitch);
     let Some(deviations) = deviations(pitch, knowledge) else { return (None, None) };
     let (of_flanks, of_crests) = classes(&thread.written, side);
-    let outer = |basic: Micrometres, class: &str, tolerance: Micrometres| {
+    let limits = |basic: Micrometres, class: &str, tolerance: Micrometres| {
         let deviation = deviation(class, side, &deviations)?;
-        let most = basic - deviation;
-        Some(ThreadLimits { class: class.to_owned(), least: most - tolerance, most, deviation })
-    };
-    let inner = |basic: Micrometres, class: &str, tolerance: Micrometres| {
-        let deviation = deviation(class, side, &deviations)?;
-        let least = basic + deviation;
-        Some(ThreadLimits { class: class.to_owned(), least, most: least + tolerance, deviation })
+        let (least, most) = match side {
+            Side::Outer => (basic - deviation - tolerance, basic - deviation),
+            Side::Inner => (basic + deviation, basic + deviation + tolerance),
+        };
+        Some(ThreadLimits { class: class.to_owned(), least, most, deviation })
     };
     let crests = of_crests
         .filter(|_| side == Side::Outer)
-        .and_then(|class| outer(size, class, crest_tolerance(class, &deviations)?));
+        .and_then(|class| limits(size, class, crest_tolerance(class, &deviations)?));
     let flanks = of_flanks.and_then(|class| {
         let tolerance = pitch_tolerance(class, side, &pitch_tolerances(size, pitch, knowledge)?)?;
-        let basic = basic_pitch_diameter(size, pitch);
-        if side == Side::Outer { outer(basic, class, tolerance) } else { inner(basic, class, tolerance) }
+        limits(basic_pitch_diameter(size, pitch), class, tolerance)
     });
     (crests, flanks)
 }

@@ -13,7 +13,7 @@ use technolog_core::part::Deviations;
 use crate::units::Micrometres;
 
 use super::Thread;
-use super::item_file::GrooveKind;
+use super::item_file::{Bulge, GrooveKind};
 use super::items::{Along, ContourItem, GrooveValues, ItemShape, Measure};
 use super::thread::ThreadSize;
 use super::thread_limits::{self, longest_run_out};
@@ -127,7 +127,7 @@ impl Walk<'_, '_, '_> {
                 self.straight(item, kind, to);
             }
             ItemShape::Chamfer(size) => self.chamfer(index, item, size),
-            ItemShape::Arc { to, radius, hollow } => self.arc(item, (radius_of(&to.d), z_of(&to.z)), radius, *hollow),
+            ItemShape::Arc { to, radius, bulge } => self.arc(item, (radius_of(&to.d), z_of(&to.z)), radius, *bulge),
             ItemShape::Thread { size, along } => self.thread(item, size.as_ref(), along),
             ItemShape::Groove(values) => self.groove(index, item, values.as_ref()),
         }
@@ -209,7 +209,7 @@ impl Walk<'_, '_, '_> {
     /// Whether a piece outside of grooves has a permitted direction.
     fn leads_on(&mut self, piece: Piece, kind: SurfaceKind, place: &Place) -> bool {
         let (from, to) = (piece.from, piece.to);
-        let after_groove = self.last().filter(|last| last.kind.is_additional() && last.kind != SurfaceKind::Thread);
+        let after_groove = self.last().filter(|last| last.is_groove());
         let groove_went = after_groove.map(|groove| {
             groove
                 .pieces
@@ -282,10 +282,11 @@ impl Walk<'_, '_, '_> {
         self.straight(item, SurfaceKind::Chamfer, (radius, self.z.map(|z| z + side)));
     }
 
-    fn arc(&mut self, item: &ContourItem, to: (Option<Half>, Option<Half>), radius: &Measure, hollow: Option<bool>) {
-        let kind = if hollow == Some(true) { SurfaceKind::Fillet } else { SurfaceKind::Ball };
+    fn arc(&mut self, item: &ContourItem, to: (Option<Half>, Option<Half>), radius: &Measure, bulge: Option<Bulge>) {
+        let kind = if bulge == Some(Bulge::In) { SurfaceKind::Fillet } else { SurfaceKind::Ball };
         let radius = radius.as_ref().map(|(radius, _)| Half::of(*radius));
-        let curve = radius.zip(hollow).map(|(radius, hollow)| Curve::Arc { radius, turn: self.hollow(hollow) });
+        let curve =
+            radius.zip(bulge).map(|(radius, bulge)| Curve::Arc { radius, turn: self.hollow(bulge == Bulge::In) });
         self.arrive(item, kind, to, curve);
     }
 
@@ -310,7 +311,7 @@ impl Walk<'_, '_, '_> {
                 let (crests, flanks) = thread_limits::of(thread_size, self.walked.side, self.reader.knowledge);
                 let longest_run_out =
                     longest_run_out(self.walked.side, pitch, self.reader.knowledge).map(|row| row.length);
-                let surface = surface.name.to_string();
+                let surface = surface.name.clone();
                 let (tapped, way) = (None, None);
                 let thread = Thread { surface, written, size, pitch, crests, flanks, longest_run_out, tapped, way };
                 self.walked.threads.push(thread);

@@ -15,16 +15,14 @@ pub(super) fn begin(near: &Profile) -> Option<usize> {
     }
     let top = |surface: &Surface| surface.pieces.iter().map(|piece| piece.radii().1).max();
     let is_thread = |surface: &Surface| surface.kind == SurfaceKind::Thread;
-    let is_groove = |surface: &&Surface| surface.kind.is_additional() && !is_thread(surface);
     near.surfaces.iter().enumerate().filter(|(_, surface)| is_thread(surface)).find_map(|(index, thread)| {
         let (before, from) = near.surfaces.split_at_checked(index)?;
         let behind = from.get(1..)?;
-        let first = index - before.iter().rev().take_while(is_groove).count();
-        let lead = before.iter().rev().find(|surface| !is_groove(surface) && surface.kind != SurfaceKind::Chamfer)?;
+        let first = index - before.iter().rev().take_while(|surface| surface.is_groove()).count();
+        let lead = before.iter().rev().find(|surface| !surface.is_groove() && surface.kind != SurfaceKind::Chamfer)?;
         let free_end = before.first().is_some_and(|first| std::ptr::eq(first, lead));
-        let upright = |surface: &Surface| surface.pieces.iter().all(|piece| piece.is_face());
-        let stands_before = !upright(lead) && top(lead) >= top(thread);
-        let ends = upright(lead) && !free_end && behind.is_empty();
+        let stands_before = !lead.is_face() && top(lead) >= top(thread);
+        let ends = lead.is_face() && !free_end && behind.is_empty();
         let free = behind.iter().all(|surface| top(surface) <= top(thread));
         (free && (stands_before || ends)).then_some(first)
     })

@@ -11,9 +11,10 @@ use crate::turning::cutting::jaw_clearance;
 use crate::turning::elements::{Class, Element};
 use crate::turning::length::Half;
 use crate::turning::shaft::Holding;
+use crate::turning::workpiece::Workpiece;
 use crate::units::Micrometres;
 
-use super::setup::{TurnedSide, Workpiece};
+use super::setup::TurnedSide;
 
 /// The clamping place of the part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -82,7 +83,7 @@ impl JawLengths {
 type HoldDecision = (Option<Hold>, Because);
 
 /// Held between centres, where the file says so.
-fn between_centres(part: Workpiece<'_>, knowledge: &Knowledge) -> Result<Option<HoldDecision>, KnowledgeError> {
+fn between_centres(part: &Workpiece, knowledge: &Knowledge) -> Result<Option<HoldDecision>, KnowledgeError> {
     let because = Because::table(knowledge.table_of::<TurningHold>()?, Note::new("hold-centres"));
     Ok((part.holding == Holding::Centres).then_some((Some(Hold::Centres), because)))
 }
@@ -92,20 +93,22 @@ fn between_centres(part: Workpiece<'_>, knowledge: &Knowledge) -> Result<Option<
 /// # Errors
 /// The knowledge base lacks a table.
 pub(super) fn hold_blank(
-    part: Workpiece<'_>,
+    part: &Workpiece,
+    parted: Option<Half>,
     outer: Option<&TurnedSide>,
     knowledge: &Knowledge,
 ) -> Result<HoldDecision, KnowledgeError> {
     if let Some(centres) = between_centres(part, knowledge)? {
         return Ok(centres);
     }
-    let end = part.blank.end().unwrap_or_default();
+    let blank = &part.blank.outer;
+    let end = blank.end().unwrap_or_default();
     let turned = outer.and_then(|outer| outer.main.contour.end()).map_or(Half::ZERO, |end| end.z);
-    let behind_rest = part.rest.map_or(Half::ZERO, |rest| rest.sides()[1]);
-    let from = part.parted.unwrap_or(turned).max(behind_rest);
+    let behind_rest = part.steady_rest.map_or(Half::ZERO, |rest| rest.sides()[1]);
+    let from = parted.unwrap_or(turned).max(behind_rest);
     let length = end.z - from;
     // The blank may end with its far face, down to the axis or a bore.
-    let radius = part.blank.radii_at(end.z).map_or(end.radius, |(_, most)| most);
+    let radius = blank.radii_at(end.z).map_or(end.radius, |(_, most)| most);
     let diameter = radius.diameter();
     let [near, _] = jaw_clearance(knowledge)?.map(Half::of);
     let lengths = JawLengths::of(diameter, knowledge)?;
@@ -132,7 +135,7 @@ fn cylinders<'a>(profile: &'a Profile, classes: &[Class]) -> Vec<Cylinder<'a>> {
     let mut cylinders: Vec<Cylinder<'a>> = Vec::new();
     let mut joined = false;
     for (surface, class) in profile.surfaces.iter().zip(classes) {
-        if surface.kind.is_additional() && surface.kind != SurfaceKind::Thread {
+        if surface.is_groove() {
             continue;
         }
         let piece = surface.pieces.first().filter(|piece| piece.is_cylinder());
@@ -168,7 +171,7 @@ type Rank = (bool, bool, bool, Half, Half);
 /// # Errors
 /// The knowledge base lacks a table.
 pub(super) fn hold_part(
-    part: Workpiece<'_>,
+    part: &Workpiece,
     made: Option<&TurnedSide>,
     knowledge: &Knowledge,
 ) -> Result<HoldDecision, KnowledgeError> {

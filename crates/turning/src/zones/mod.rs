@@ -31,7 +31,7 @@ pub use hold::{Hold, JawLengths};
 pub use join::{Returns, idle_returns};
 pub use kind::{SchemeChoice, ZoneKind};
 pub use parts::{Needs, ZonePart};
-pub use setup::{SetUp, TurnedSide, Workpiece, set_ups};
+pub use setup::{SetUp, TurnedSide, set_ups};
 
 /// The stock of one set-up on one side, in the coordinates of that set-up.
 #[derive(Clone, Copy, Debug)]

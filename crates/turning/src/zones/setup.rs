@@ -20,28 +20,7 @@ use crate::turning::cutting::jaw_clearance;
 use crate::turning::elements::{Angles, Class, Main, classify, main_contour, split};
 use crate::turning::length::Half;
 use crate::turning::shaft::Holding;
-use crate::turning::workpiece::SteadyRest;
-
-/// The part to be turned.
-#[derive(Clone, Copy, Debug)]
-pub struct Workpiece<'a> {
-    /// The outer profile from the free end.
-    pub outer: &'a Profile,
-    /// The bore, if there is one.
-    pub inner: Option<&'a Profile>,
-    /// The length of the finished part.
-    pub length: Half,
-    /// The blank from outside, in the same coordinates.
-    pub blank: &'a Contour,
-    /// The way of clamping.
-    pub holding: Holding,
-    /// Whether the last cylinder may be left to a second set-up for want of room for the jaws.
-    pub lends: bool,
-    /// The steady rest of the first set-up.
-    pub rest: Option<SteadyRest>,
-    /// Z from which the jaws may stand in the first set-up, where the part is parted off there.
-    pub parted: Option<Half>,
-}
+use crate::turning::workpiece::{SteadyRest, Workpiece};
 
 /// The work of one set-up on one side, in its own coordinates: Z = 0 at the end that is free in it.
 #[derive(Clone, Debug, Serialize)]
@@ -85,6 +64,11 @@ pub struct SetUp {
 }
 
 impl SetUp {
+    /// A contour of the part, whose length is given, in its coordinates.
+    pub fn sees(&self, contour: &Contour, length: Half) -> Contour {
+        if self.turned_over { contour.turned_over(length) } else { contour.clone() }
+    }
+
     /// Its work on a side.
     pub const fn side(&self, side: Side) -> Option<&TurnedSide> {
         match side {
@@ -105,25 +89,31 @@ struct Division {
 /// The one or two set-ups of a part, for a tool that feeds from the free end of each.
 ///
 /// Where the first set-up would leave too little of the blank for the jaws, the last cylinder that it could turn is left to the
-/// second one, if both can then be held.
+/// second one, if both can then be held. `parted` is the Z from which the jaws may stand in the first set-up, where the part is parted
+/// off there.
 ///
 /// # Errors
 /// The knowledge base lacks the rule `turning-element` or `turning-hold`, or a row of one.
-pub fn set_ups(part: Workpiece<'_>, tool: Angles, knowledge: &Knowledge) -> Result<Vec<SetUp>, KnowledgeError> {
-    let division = divided(part.outer, tool, knowledge)?;
-    let division = match part.rest {
+pub fn set_ups(
+    part: &Workpiece,
+    parted: Option<Half>,
+    tool: Angles,
+    knowledge: &Knowledge,
+) -> Result<Vec<SetUp>, KnowledgeError> {
+    let division = divided(&part.outer, tool, knowledge)?;
+    let division = match part.steady_rest {
         Some(rest) => before_rest(division, rest, knowledge)?,
         None => division,
     };
     let lent = division
         .near
         .as_ref()
-        .filter(|_| part.holding != Holding::Centres && part.lends)
+        .filter(|_| part.holding != Holding::Centres && !part.is_only_roughed())
         .and_then(|near| lent(near, division.far.as_ref()));
-    let made = set_ups_of(part, division, tool, knowledge)?;
+    let made = set_ups_of((part, parted), division, tool, knowledge)?;
     let unheld = |set_ups: &[SetUp]| set_ups.iter().filter(|one| one.holds_at.is_none()).count();
     if let (Some(lent), true) = (lent, made.first().is_some_and(|first| first.holds_at.is_none())) {
-        let other = set_ups_of(part, lent, tool, knowledge)?;
+        let other = set_ups_of((part, parted), lent, tool, knowledge)?;
         if unheld(&other) < unheld(&made) {
             return Ok(other);
         }
@@ -169,20 +159,20 @@ fn divided_at(near: &Profile, far: Option<&Profile>, first: usize, code: &'stati
 }
 
 fn set_ups_of(
-    part: Workpiece<'_>,
+    (part, parted): (&Workpiece, Option<Half>),
     Division { near, far, early }: Division,
     tool: Angles,
     knowledge: &Knowledge,
 ) -> Result<Vec<SetUp>, KnowledgeError> {
-    let (bored, bored_far) = match part.inner {
+    let (bored, bored_far) = match &part.inner {
         Some(inner) => {
             let Division { near, far, .. } = divided(inner, tool, knowledge)?;
             (near, far)
         }
         None => (None, None),
     };
-    let far_face = part.blank.end().is_some_and(|end| end.z > part.length);
-    let near_face = part.blank.start().is_some_and(|start| start.z < Half::ZERO);
+    let far_face = part.blank.end() > part.length();
+    let near_face = part.blank.face() > Half::ZERO;
     let mut notes = vec![Note::new("setup-first")];
     let second = far.is_some() || bored_far.is_some() || far_face;
     if !second {
@@ -191,7 +181,7 @@ fn set_ups_of(
     let from = |profile: Option<Profile>| profile.map(|one| stretch(one, tool, knowledge)).transpose();
     let first = {
         let outer = from(near)?;
-        let (holds_at, because) = hold_blank(part, outer.as_ref(), knowledge)?;
+        let (holds_at, because) = hold_blank(part, parted, outer.as_ref(), knowledge)?;
         let inner = from(bored)?;
         let centre = part.holding != Holding::Chuck;
         SetUp {
@@ -199,7 +189,7 @@ fn set_ups_of(
             turned_over: false,
             faces: near_face,
             centre,
-            rest: part.rest,
+            rest: part.steady_rest,
             outer,
             inner,
             holds_at,
@@ -210,7 +200,7 @@ fn set_ups_of(
     if !second {
         return Ok(vec![first]);
     }
-    let over = |profile: Option<Profile>| profile.map(|one| one.turned_over(part.length));
+    let over = |profile: Option<Profile>| profile.map(|one| one.turned_over(part.length()));
     let mut notes = Vec::new();
     let lip = far.as_ref().and_then(|far| far.contour().start());
     if let Some(early) = early {

@@ -1,10 +1,11 @@
-//! Grooves of real parts; their toolpaths are simulated by columns that know only the blade and the profile.
+//! Grooves of real parts; their toolpaths are proven.
 
 use super::*;
-use crate::turning::contour::{Side, SurfaceKind};
-use crate::turning::jobs::Body;
+use crate::turning::contour::{Contour, Piece, Profile, Side};
 use crate::turning::jobs::tests::{at_bench, part};
+use crate::turning::operation::proof::{chain, motions, tool};
 use crate::turning::workpiece::Workpiece;
+use technolog_turning_proof as proof;
 
 /// The job of the first groove of a part, and that groove.
 fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
@@ -12,166 +13,37 @@ fn job(workpiece: &Workpiece, side: Side) -> (Result<Job, NoJob>, Surface) {
         Side::Outer => &workpiece.outer,
         Side::Inner => workpiece.inner.as_ref().unwrap(),
     };
-    let is_groove = |surface: &&Surface| surface.kind.is_additional() && surface.kind != SurfaceKind::Thread;
-    let surface = profile.surfaces.iter().find(is_groove).unwrap().clone();
+    let surface = profile.surfaces.iter().find(|surface| surface.is_groove()).unwrap().clone();
     let radius = if side == Side::Outer { 62.0 } else { 15.0 };
     let site = Site { profile, clear: Point { radius: Half::from(radius), z: Half::from(-2.0) }, off: Half::from(0.5) };
     (at_bench(workpiece, |bench| Refusal::split(groove(site, &surface, bench)).unwrap()), surface)
 }
 
-/// Height over a place of the mouth and that place, of a point: how the columns see each kind of groove.
-fn seen(point: (f64, f64), side: Side, face: bool) -> (f64, f64) {
-    let (z, radius) = point;
-    match (side, face) {
-        (_, true) => (-radius, -z),
-        (Side::Outer, _) => (z, radius),
-        (Side::Inner, _) => (z, -radius),
-    }
-}
-
-const COLUMN: f64 = 0.02;
-
-/// What the edge is like over a place that lies `off` behind its leading corner: how high above its lowest.
-fn edge_over(off: f64, width: f64, corner: f64) -> Option<f64> {
-    if !(0.0..=width).contains(&off) {
-        return None;
-    }
-    let from_end = off.min(width - off);
-    let inside = (corner - from_end).max(0.0);
-    Some(corner - (corner * corner - inside * inside).sqrt())
-}
-
-/// Columns over a groove: the finished height, and the height of the metal.
-struct Columns {
-    from: f64,
-    own: (f64, f64),
-    finished: Vec<f64>,
-    metal: Vec<f64>,
-}
-
-impl Columns {
-    /// A groove with its neighbours.
-    fn of(part: &Workpiece, surface: &Surface, side: Side) -> Self {
-        let face = surface.kind == SurfaceKind::FaceGroove;
-        let mut points: Vec<(f64, f64)> = Vec::new();
-        let all = match side {
-            Side::Outer => &part.outer.surfaces,
-            Side::Inner => &part.inner.as_ref().unwrap().surfaces,
+/// Proves the job of a groove on the part with the groove still full: it cuts nothing of the part, meets no metal at rapid, and leaves
+/// nothing but the rounding of its corners. The proof shares nothing with the planner, not even geometry.
+fn is_clean(part: &Workpiece, job: &Job, groove: &Surface, what: &str) {
+    let filled = |profile: &Profile| -> Vec<proof::Piece> {
+        let fill = |one: &Surface| match one.pieces.as_slice() {
+            [first, .., last] if one == groove => vec![Piece::line(first.from, last.to)],
+            pieces => pieces.to_vec(),
         };
-        let index = all.iter().position(|one| one == surface).unwrap();
-        let mut own = (f64::MAX, f64::MIN);
-        for (piece, groove) in
-            (index - 1..=index + 1).flat_map(|at| all[at].pieces.iter().map(move |piece| (piece, at == index)))
-        {
-            if groove {
-                for end in [piece.from, piece.to] {
-                    let (at, _) = seen((end.z.to_mm(), end.radius.to_mm()), side, face);
-                    own = (own.0.min(at), own.1.max(at));
-                }
-            }
-            let (from, to) = (piece.from.vector(), piece.to.vector());
-            match piece.centre() {
-                None => points.extend([from, to].map(|at| seen((at.z, at.radius), side, face))),
-                Some(centre) => {
-                    let (a, b) = (from.minus(centre), to.minus(centre));
-                    let radius = a.length();
-                    for step in 0..=400 {
-                        let share = f64::from(step) / 400.0;
-                        let spoke = a.times(1.0 - share).plus(b.times(share)).unit().times(radius);
-                        let at = centre.plus(spoke);
-                        points.push(seen((at.z, at.radius), side, face));
-                    }
-                }
-            }
-        }
-        let (from, to) = points.iter().fold((f64::MAX, f64::MIN), |(low, high), at| (low.min(at.0), high.max(at.0)));
-        let (from, to) = (from.max(own.0 - 8.0), to.min(own.1 + 8.0));
-        let ends = [surface.pieces[0].from, surface.pieces.last().unwrap().to];
-        let mouth = ends.map(|end| seen((end.z.to_mm(), end.radius.to_mm()), side, face).1);
-        let mouth = mouth[0].max(mouth[1]);
-        let count = ((to - from) / COLUMN).round() as usize;
-        let height = |index: usize| {
-            let at = from + (index as f64 + 0.5) * COLUMN;
-            points.windows(2).fold(f64::MAX, |low, pair| {
-                let ((a, high_a), (b, high_b)) = (pair[0], pair[1]);
-                if (a.min(b)..=a.max(b)).contains(&at) && (b - a).abs() > 1e-9 {
-                    low.min(high_a + (high_b - high_a) * (at - a) / (b - a))
-                } else {
-                    low
-                }
-            })
-        };
-        let finished: Vec<f64> = (0..count).map(height).collect();
-        let is_own = |index: usize| (own.0..own.1).contains(&(from + (index as f64 + 0.5) * COLUMN));
-        let metal = (0..count).map(|index| if is_own(index) { mouth } else { finished[index] }).collect();
-        Self { from, own, finished, metal }
-    }
-
-    /// How far the edge at a place is below the metal and below the finished groove at most, and cuts.
-    fn cut(&mut self, lead: f64, low: f64, width: f64, corner: f64, takes: bool) -> (f64, f64) {
-        let (mut into, mut gouge) = (0.0_f64, 0.0_f64);
-        let index = |at: f64| ((at - self.from) / COLUMN).clamp(0.0, self.metal.len() as f64) as usize;
-        for index in index(lead - width)..index(lead + COLUMN) {
-            let at = self.from + (index as f64 + 0.5) * COLUMN;
-            let Some(over) = edge_over(lead - at, width, corner) else { continue };
-            let height = low + over;
-            into = into.max(self.metal[index] - height);
-            gouge = gouge.max(self.finished[index] - height);
-            if takes {
-                self.metal[index] = self.metal[index].min(height);
-            }
-        }
-        (into, gouge)
-    }
-}
-
-/// Executes a job: its deepest gouge, its deepest rapid, and what stands above what the edge could reach, mm.
-fn worked_off(part: &Workpiece, job: &Job, surface: &Surface, side: Side) -> (f64, f64, f64) {
-    let face = surface.kind == SurfaceKind::FaceGroove;
-    let Body::Insert { nose_radius_mm, width_mm, .. } = job.tool.body else { panic!("a blade") };
-    let corner = nose_radius_mm.to_mm();
-    let width = width_mm.map_or(2.0 * corner, crate::units::Micrometres::to_mm);
-    let mut columns = Columns::of(part, surface, side);
-    let (mut gouge, mut rapid) = (0.0_f64, 0.0_f64);
-    for (piece, purpose) in job.path.pieces() {
-        let steps = (piece.length_mm() / 0.02).ceil().max(1.0) as usize;
-        let (from, to) = (piece.from.vector(), piece.to.vector());
-        for step in 0..=steps {
-            let share = step as f64 / steps as f64;
-            let at = match piece.centre() {
-                None => from.plus(to.minus(from).times(share)),
-                Some(centre) => {
-                    let (a, b) = (from.minus(centre), to.minus(centre));
-                    centre.plus(a.times(1.0 - share).plus(b.times(share)).unit().times(a.length()))
-                }
-            };
-            let (lead, low) = seen((at.z, at.radius), side, face);
-            let (into, below) = columns.cut(lead, low, width, corner, purpose != Purpose::Rapid);
-            gouge = gouge.max(below);
-            if purpose == Purpose::Rapid {
-                rapid = rapid.max(into);
-            }
-        }
-    }
-    // What the edge could reach at best: everywhere as low as the finished groove lets it.
-    let mut best = Columns::of(part, surface, side);
-    let places = ((best.own.1 - best.own.0) / 0.01).round() as usize;
-    for place in 0..=places {
-        let lead = best.own.0 + place as f64 * 0.01;
-        if lead - width < best.own.0 - 1e-6 || lead > best.own.1 + 1e-6 {
-            continue;
-        }
-        let mut low = f64::MIN;
-        for (index, finished) in best.finished.iter().enumerate() {
-            let at = best.from + (index as f64 + 0.5) * COLUMN;
-            if let Some(over) = edge_over(lead - at, width, corner) {
-                low = low.max(finished - over);
-            }
-        }
-        best.cut(lead, low, width, corner, true);
-    }
-    let left = columns.metal.iter().zip(&best.metal).fold(0.0_f64, |most, (is, could)| most.max(is - could));
-    (gouge, rapid, left)
+        let contour = Contour { side: profile.side, pieces: profile.surfaces.iter().flat_map(fill).collect() };
+        chain(&contour)
+    };
+    let drawn = |profile: &Profile| -> Vec<proof::ProfilePiece> {
+        chain(&profile.contour()).into_iter().map(|piece| proof::ProfilePiece::new(piece, None)).collect()
+    };
+    let (outer, inner) = (&part.outer, part.inner.as_ref());
+    let set_up = proof::SetUp {
+        profile: proof::Profile { outside: drawn(outer), bore: inner.map(drawn).unwrap_or_default() },
+        stock: proof::Stock::between(&filled(outer), &inner.map(filled).unwrap_or_default()),
+        tools: vec![tool(&job.tool)],
+        motions: motions(&job.path, 0),
+        ..proof::SetUp::default()
+    };
+    let faults = proof::prove(&set_up).unwrap().faults;
+    let graves: Vec<_> = faults.iter().filter(|fault| !fault.is_mild()).collect();
+    assert!(graves.is_empty(), "{what}: {graves:?}");
 }
 
 /// The groove between two cylinders of Ø60, with the mouth at Z 20.
@@ -197,8 +69,7 @@ fn a_rectangular_groove_is_plunged_with_the_widest_blade() {
     let made = made.unwrap();
     assert_eq!(made.tool.designation, "MGEHR 2525-5");
     assert_eq!(plunges(&made), ["25.8", "27.2"]);
-    let (gouge, rapid, left) = worked_off(&own, &made, &surface, Side::Outer);
-    assert!(gouge < 0.001 && rapid < 0.001 && left < 0.005, "{gouge} {rapid} {left}");
+    is_clean(&own, &made, &surface, "8 wide");
     let kept = made.notes.iter().find(|note| note.code() == "groove-corner-kept").unwrap();
     assert_eq!(kept.figure_text("radius").unwrap(), "0.8");
     assert!(made.time_min.0 > 0.1 && made.time_min.0 < 3.0, "{:?}", made.time_min);
@@ -214,8 +85,7 @@ fn no_plunge_cuts_a_sliver() {
         let (made, surface) = job(&own, Side::Outer);
         let made = made.unwrap();
         assert_eq!(made.tool.designation, "MGEHR 2525-5");
-        let (gouge, rapid, left) = worked_off(&own, &made, &surface, Side::Outer);
-        assert!(gouge < 0.001 && rapid < 0.001 && left < 0.005, "{width}: {gouge} {rapid} {left}");
+        is_clean(&own, &made, &surface, &width.to_string());
         plunges(&made)
     };
     assert_eq!(made(7.0), ["26"]);
@@ -262,8 +132,7 @@ fn grooves_are_cut_to_their_profile_and_not_below() {
         let own = part(&outside(kind), "", "steel-45");
         let (made, surface) = job(&own, Side::Outer);
         let made = made.unwrap_or_else(|why| panic!("{kind}: {why:?}"));
-        let (gouge, rapid, left) = worked_off(&own, &made, &surface, Side::Outer);
-        assert!(gouge < 0.001 && rapid < 0.001 && left < 0.005, "{kind}: {gouge} {rapid} {left}");
+        is_clean(&own, &made, &surface, kind);
     }
     let plain = "  - {from: {d: 50, z: 0}}\n  - {face: 90}\n  - {cylinder: -100}\n";
     for kind in [
@@ -277,16 +146,14 @@ fn grooves_are_cut_to_their_profile_and_not_below() {
         let own = part(plain, &bore, "steel-45");
         let (made, surface) = job(&own, Side::Inner);
         let made = made.unwrap_or_else(|why| panic!("{kind}: {why:?}"));
-        let (gouge, rapid, left) = worked_off(&own, &made, &surface, Side::Inner);
-        assert!(gouge < 0.001 && rapid < 0.001 && left < 0.005, "in a bore {kind}: {gouge} {rapid} {left}");
+        is_clean(&own, &made, &surface, kind);
     }
     // At the bottom of a blind bore, whose face goes to the axis.
     let bore = "  - {from: {d: 50, z: 0}}\n  - {cylinder: -30}\n  - {groove: grinding-relief, width: 5, depth: 0.5}\n  - {face: 0}\n";
     let own = part(plain, bore, "steel-45");
     let (made, surface) = job(&own, Side::Inner);
     let made = made.unwrap_or_else(|why| panic!("at the bottom: {why:?}"));
-    let (gouge, rapid, left) = worked_off(&own, &made, &surface, Side::Inner);
-    assert!(gouge < 0.001 && rapid < 0.001 && left < 0.005, "at the bottom: {gouge} {rapid} {left}");
+    is_clean(&own, &made, &surface, "at the bottom");
     for kind in ["face, width: 4, depth: 5", "face, width: 12, depth: 6"] {
         let face = format!(
             "  - {{from: {{d: 0, z: 0}}}}\n  - {{face: 60}}\n  - {{groove: {kind}}}\n  - {{face: 110}}\n  - {{cylinder: -100}}\n"
@@ -294,8 +161,7 @@ fn grooves_are_cut_to_their_profile_and_not_below() {
         let own = part(&face, "", "steel-45");
         let (made, surface) = job(&own, Side::Outer);
         let made = made.unwrap_or_else(|why| panic!("{kind}: {why:?}"));
-        let (gouge, rapid, left) = worked_off(&own, &made, &surface, Side::Outer);
-        assert!(gouge < 0.001 && rapid < 0.001 && left < 0.005, "in a face {kind}: {gouge} {rapid} {left}");
+        is_clean(&own, &made, &surface, kind);
     }
 }
 
@@ -319,8 +185,7 @@ fn reliefs_before_a_shoulder_are_cut() {
         let (made, surface) = job(&own, Side::Outer);
         let made = made.unwrap_or_else(|why| panic!("{kind}: {why:?}"));
         assert_eq!(made.tool.designation, tool, "{kind}: {:?}", made.notes);
-        let (gouge, rapid, left) = worked_off(&own, &made, &surface, Side::Outer);
-        assert!(gouge < 0.001 && rapid < 0.001 && left < 0.005, "{kind}: {gouge} {rapid} {left}");
+        is_clean(&own, &made, &surface, kind);
     }
 }
 

@@ -36,7 +36,7 @@ pub fn tap(
     let lathe = site::lathe(bench)?;
     let found = surfaces.get(index).and_then(|surface| Some((surface, surface.pieces.first()?)));
     let Some((surface, piece)) = found else {
-        return Err(Refusal::Not(NoJob::ThreadOnNoCylinder { surface: thread.surface.as_str().into() }));
+        return Err(Refusal::Not(NoJob::ThreadOnNoCylinder { surface: thread.surface.clone() }));
     };
     let name = || surface.name.clone();
     if let Some(plain) = plain_before(surfaces, index) {

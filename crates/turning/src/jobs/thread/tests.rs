@@ -12,7 +12,7 @@ fn job(workpiece: &Workpiece, side: Side, passes: Passes) -> Result<Job, NoJob> 
         Side::Inner => workpiece.inner.as_ref().unwrap(),
     };
     let surface = profile.surfaces.iter().find(|one| one.kind == SurfaceKind::Thread).unwrap();
-    let thread = workpiece.threads.iter().find(|one| one.surface == surface.name.to_string()).unwrap();
+    let thread = workpiece.thread_on(&surface.name).unwrap();
     let radius = if side == Side::Outer { 62.0 } else { 12.0 };
     let site = Site { profile, clear: Point { radius: Half::from(radius), z: Half::from(-2.0) }, off: Half::from(0.5) };
     at_bench(workpiece, |bench| Refusal::split(super::thread(site, surface, thread, passes, bench)).unwrap())

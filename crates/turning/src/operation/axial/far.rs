@@ -29,10 +29,8 @@ impl Axial {
 
     /// Leaves the tapped threads behind plain cylinders of their diameter to the next set-up.
     fn leave(&mut self, bench: &Bench<'_, '_>) {
-        let is_tapped = |name: &SurfaceName| {
-            let name = name.to_string();
-            bench.workpiece.threads.iter().any(|thread| thread.tapped.is_some() && thread.surface == name)
-        };
+        let is_tapped =
+            |name: &SurfaceName| bench.workpiece.thread_on(name).is_some_and(|thread| thread.tapped.is_some());
         let surfaces = &self.whole.surfaces;
         let behind = (0..surfaces.len()).filter(|index| hole::plain_before(surfaces, *index).is_some());
         let names = behind.filter_map(|index| surfaces.get(index)).map(|surface| surface.name.clone());

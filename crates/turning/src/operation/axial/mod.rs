@@ -9,9 +9,9 @@ mod sizes;
 
 use serde::Serialize;
 
-use crate::error::{KnowledgeError, Refusal, Tried};
+use crate::error::{KnowledgeError, Tried};
 use crate::knowledge::vocabulary::Operation;
-use crate::note::{Because, Figure, Finding, Note, Severity};
+use crate::note::{Because, Figure, Finding, Note};
 use crate::tables::turning::part::{AxialHoleFor, AxialWay};
 use crate::turning::contour::{Contour, Piece, Profile, Surface, SurfaceKind, SurfaceName};
 use crate::turning::cutting::unsaid_roughness;
@@ -173,13 +173,8 @@ impl Axial {
         let mut from = bench.raw_bore();
         for hole in self.holes.iter().rev() {
             let sizes = Sizes::of(hole, bench)?;
-            match Refusal::split(hole.jobs(&sizes, from, face, bench))? {
-                Ok(own) => jobs.extend(own),
-                Err(why) => {
-                    findings.push(Finding::of_part(Severity::Wrong, why.note()));
-                    return Ok(jobs);
-                }
-            }
+            let Some(own) = made(hole.jobs(&sizes, from, face, bench), findings)? else { return Ok(jobs) };
+            jobs.extend(own);
             from = from.max(sizes.drill);
         }
         for mouth in self.holes.iter().filter_map(|hole| hole.mouth.as_ref()).chain(&self.far_mouth) {
@@ -252,7 +247,7 @@ fn axial(
     let (it, roughness) = (plain().filter_map(|one| one.grade).min(), plain().filter_map(|one| one.roughness).min());
     let threads: Vec<SurfaceName> = taken.iter().filter(is_thread).map(|one| one.name.clone()).collect();
     let tapped = bench.workpiece.threads.iter().filter(|thread| thread.tapped.is_some());
-    let tapped = tapped.filter(|thread| threads.iter().any(|name| name.to_string() == thread.surface));
+    let tapped = tapped.filter(|thread| threads.contains(&thread.surface));
     let tapped = tapped.map(|thread| hole::drilled_behind(thread, bench)).collect::<Result<Vec<_>, _>>()?;
     let tapped = tapped.into_iter().max();
     let diameter = begin.radius.diameter();

@@ -18,7 +18,7 @@ mod tool;
 use super::unfinished::undone;
 use super::{Axial, Operation, SetUpWork, Tailstock};
 use profile::profiles;
-use tool::tool;
+pub(crate) use tool::tool;
 
 /// The result of the proof for each set-up, in the order of work.
 #[derive(Clone, Debug)]
@@ -96,45 +96,39 @@ fn bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
     chuck_bodies(set_up).into_iter().chain(tailstock).chain(set_up.set_up.rest.map(rest_body)).collect()
 }
 
+/// A body by the corners of its outline, Z and radius.
+fn body(name: &'static str, corners: &[(f64, f64)]) -> proof::Body {
+    let outline = corners.iter().map(|&(z, radius)| At::new(Mm(z), Mm(radius))).collect();
+    proof::Body { name: Figure::word(name), outline }
+}
+
 /// A steady rest, from its seat outwards: its frame is round the part, and no tool passes it.
 fn rest_body(rest: SteadyRest) -> proof::Body {
     let ([front, back], seat) = (rest.sides().map(|z| -z.to_mm()), rest.seat_mm.to_mm() / 2.0);
-    let outline = [(front, seat), (front, FAR), (back, FAR), (back, seat)];
-    proof::Body {
-        name: Figure::word("body-rest"),
-        outline: outline.map(|(z, radius)| At::new(Mm(z), Mm(radius))).to_vec(),
-    }
+    body("body-rest", &[(front, seat), (front, FAR), (back, FAR), (back, seat)])
 }
 
 fn chuck_bodies(set_up: &SetUpWork) -> Vec<proof::Body> {
-    let Some((jaws, body)) = set_up.jaws.and_then(|jaws| Some((jaws, jaws.body?))) else { return Vec::new() };
+    let Some((jaws, chuck)) = set_up.jaws.and_then(|jaws| Some((jaws, jaws.body?))) else { return Vec::new() };
     let (front, grips) = (-jaws.front_mm.to_mm(), jaws.grips_mm.to_mm() / 2.0);
-    let face = front - body.out_mm.to_mm();
-    let block = |name, from: f64, to: f64, radius: f64| proof::Body {
-        name: Figure::word(name),
-        outline: [(from, grips), (from, radius), (to, radius), (to, grips)]
-            .map(|(z, radius)| At::new(Mm(z), Mm(radius)))
-            .to_vec(),
-    };
+    let face = front - chuck.out_mm.to_mm();
+    let block =
+        |name, from: f64, to: f64, radius: f64| body(name, &[(from, grips), (from, radius), (to, radius), (to, grips)]);
     vec![
-        block("body-jaws", front, face, body.sweep_mm.to_mm() / 2.0),
-        block("body-chuck", face, face - FAR, body.chuck_mm.to_mm() / 2.0),
+        block("body-jaws", front, face, chuck.sweep_mm.to_mm() / 2.0),
+        block("body-chuck", face, face - FAR, chuck.chuck_mm.to_mm() / 2.0),
     ]
 }
 
 /// The centre, from its cone at the face to the quill, and the quill.
 fn tailstock_bodies(tailstock: &Tailstock) -> Vec<proof::Body> {
     let face = -tailstock.face_mm.to_mm();
-    let [mouth, body, quill] =
+    let [mouth, thick, quill] =
         [tailstock.mouth_mm, tailstock.body_mm, tailstock.quill_mm].map(|diameter| diameter.to_mm() / 2.0);
     let (cone, off) = (face + tailstock.cone_mm(), face + tailstock.quill_off_mm());
-    let outline = |name, corners: &[(f64, f64)]| proof::Body {
-        name: Figure::word(name),
-        outline: corners.iter().map(|&(z, radius)| At::new(Mm(z), Mm(radius))).collect(),
-    };
     vec![
-        outline(CENTRE, &[(face, 0.0), (face, mouth), (cone, body), (off, body), (off, 0.0)]),
-        outline(QUILL, &[(off, 0.0), (off, quill), (off + FAR, quill), (off + FAR, 0.0)]),
+        body(CENTRE, &[(face, 0.0), (face, mouth), (cone, thick), (off, thick), (off, 0.0)]),
+        body(QUILL, &[(off, 0.0), (off, quill), (off + FAR, quill), (off + FAR, 0.0)]),
     ]
 }
 
@@ -336,7 +330,7 @@ fn proof_piece(piece: &Piece) -> proof::Piece {
     }
 }
 
-fn chain(contour: &Contour) -> Vec<proof::Piece> {
+pub(crate) fn chain(contour: &Contour) -> Vec<proof::Piece> {
     contour.pieces.iter().map(proof_piece).collect()
 }
 

@@ -97,8 +97,7 @@ fn as_drilled(cone: &Piece) -> Piece {
 /// tip of a pass lies H/2 − r = √3/4 · P − r beyond the pitch line that it makes, with the nose radius r of the tool.
 fn thread(profile: &Profile, at: usize, operation: &Operation) -> Option<proof::Thread> {
     let surface = &profile.surfaces[at];
-    let name = surface.name.to_string();
-    let thread = operation.workpiece.threads.iter().find(|thread| thread.surface == name)?;
+    let thread = operation.workpiece.thread_on(&surface.name)?;
     let crest = surface.pieces.first()?.from.radius.to_mm();
     let inside = crest < thread.size.to_mm() / 2.0 - 1e-6;
     let basic = thread.basic_pitch_diameter();

@@ -7,7 +7,7 @@ use crate::turning::tooling::{Hand, Place, ToolKind};
 use crate::units::{Degrees, Micrometres};
 use proof::{Cutter, Holder, Mm};
 
-pub(super) fn tool(tool: &JobTool) -> proof::Tool {
+pub(crate) fn tool(tool: &JobTool) -> proof::Tool {
     let mm = |length: Micrometres| Mm(length.to_mm());
     let degrees = |angle: Degrees| proof::Degrees(angle.0);
     let (cutter, holder) = match &tool.body {

@@ -31,6 +31,8 @@ pub struct SearchProof {
 /// The best sequence with rich moves, if it costs less than `known`, and the proof.
 pub fn find(grid: &Grid, objective: Objective, known: u64, effort: usize) -> (Option<Vec<Pass>>, SearchProof) {
     let lines = staircase::Lines::of(grid);
+    // The search counts the length in place of the time.
+    let counted = if matches!(objective, Objective::Time { .. }) { Objective::Path } else { objective };
     // First a quick search for a good sequence, so that the second search can leave out everything that cannot be
     // better.
     let quick = search::search(&lines, objective, search::Greed::Quick, known, effort / 4);
@@ -41,24 +43,17 @@ pub fn find(grid: &Grid, objective: Objective, known: u64, effort: usize) -> (Op
     let cost = best.as_ref().map_or(known, |sequence| sequence.cost);
     let proof = SearchProof {
         optimal_on_the_grid: bound >= cost,
-        lower_bound: match objective {
-            Objective::Passes => bound as f64,
-            _ => bound as f64 / 2000.0,
-        },
+        lower_bound: counted.shown(bound),
         states: quick.states + exact.states,
         lines: (lines.radii.len(), lines.zs.len()),
     };
     let passes = best.map(|sequence| {
-        let unit = if matches!(objective, Objective::Passes) { "passes" } else { "mm" };
-        let shown = |left: u64| match objective {
-            Objective::Passes => left.to_string(),
-            _ => crate::turning::length::Half::new(i64::try_from(left).unwrap_or(i64::MAX)).to_string(),
-        };
         let mut left = sequence.cost;
         let mut stairs = lines.bar();
         let mut passes = Vec::new();
         for cut in sequence.cuts {
-            let reason = Note::new("pass-of-search").with("unit", unit).with("left", Figure::number(shown(left)));
+            let reason = Note::new("pass-of-search").with("unit", counted.unit());
+            let reason = reason.with("left", Figure::number(counted.shown(left).to_string()));
             passes.push(lines.pass(&stairs, cut, reason));
             left = left.saturating_sub(cut.cost(objective));
             lines.cut(&mut stairs, cut);
