@@ -87,7 +87,7 @@ fn turned(asked: Asked<'_>) -> Result<(Document, Outcome), CliError> {
         })?,
     };
     let read = turn::read(&args.part, knowledge, context)?;
-    let (page, outcome) = turn_operation::report(&read, control, knowledge, context)?;
+    let (page, outcome) = turn_operation::report(&read, control, title.times(), knowledge, context)?;
     Ok((framed(page, title, true, context.lang), outcome))
 }
 

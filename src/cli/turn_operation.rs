@@ -70,7 +70,12 @@ struct Answer<'a> {
 }
 
 /// The norm of time of a part that is made whole.
-fn norm(operation: &Operation, times: &[Times], knowledge: &Knowledge) -> Result<Option<Norm>, KnowledgeError> {
+fn norm(
+    operation: &Operation,
+    times: &[Times],
+    given: GivenTimes,
+    knowledge: &Knowledge,
+) -> Result<Option<Norm>, KnowledgeError> {
     if operation.has_errors() || times.is_empty() {
         return Ok(None);
     }
@@ -83,11 +88,19 @@ fn norm(operation: &Operation, times: &[Times], knowledge: &Knowledge) -> Result
         hands: Minutes(0.0),
         loading: vec![NormItem { key: "norm-loading", count: times.len(), each, because }],
         gauges: gauges(operation),
-        settings: times.len(),
+        settings: 1 + held_otherwise(operation),
+        soft_jaws: operation.set_ups.iter().filter(|one| one.jaws.is_some_and(|jaws| jaws.soft)).count(),
         tools: stations(operation).len(),
         zeros: times.len(),
     };
-    norm_of(work, GivenTimes::default(), knowledge).map(Some)
+    norm_of(work, given, knowledge).map(Some)
+}
+
+/// How often a set-up is held by another kind of device than the one before it: the lathe is then set anew. Turned over between the
+/// same centres, or in jaws that are bored anew, it is not.
+fn held_otherwise(operation: &Operation) -> usize {
+    let kinds: Vec<bool> = operation.set_ups.iter().map(|one| one.jaws.is_some()).collect();
+    kinds.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
 /// Shows the whole operation; a drawing has the toolpaths of all schemes if requested.
@@ -105,7 +118,8 @@ pub fn page(
     let refused = refusals(&operation, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     operation.findings.extend(refused);
     let times = times(&operation, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
-    let norm = norm(&operation, &times, knowledge).map_err(|error| CliError::of_knowledge(&error, context.lang))?;
+    let norm = norm(&operation, &times, GivenTimes::default(), knowledge)
+        .map_err(|error| CliError::of_knowledge(&error, context.lang))?;
     let answer = Answer { operation: &operation, times: &times, norm: norm.as_ref() };
     match format {
         Format::Json => context.emit_json(&answer)?,
@@ -264,6 +278,7 @@ pub fn setting(
 pub fn report(
     read: &Turned,
     control: Control,
+    given: GivenTimes,
     knowledge: &Knowledge,
     context: &Context,
 ) -> Result<(Document, Outcome), CliError> {
@@ -302,7 +317,7 @@ pub fn report(
         printed.push(report::turning::Printed { makes: makes.to_owned(), text, remarks });
     }
     let unsafe_ = operation.has_errors() || printed.iter().any(|program| program.text.is_err());
-    let norm = norm(&operation, &times, knowledge).map_err(lacking)?;
+    let norm = norm(&operation, &times, given, knowledge).map_err(lacking)?;
     let page =
         report::turning::report_page(&operation, &times, norm.as_ref(), &setting, &printed, knowledge, context.lang);
     Ok((page, if unsafe_ { Outcome::Findings } else { Outcome::Done }))

@@ -68,6 +68,8 @@ pub struct NormedWork {
     pub gauges: Vec<TimeNorm>,
     /// How often the machine is set for a lot.
     pub settings: usize,
+    /// How often soft jaws are bored for a lot.
+    pub soft_jaws: usize,
     /// The tools that are put in.
     pub tools: usize,
     /// The zeros that are set.
@@ -167,6 +169,7 @@ pub fn norm(plan: &Plan, job: &Job, given: GivenTimes, knowledge: &Knowledge) ->
         loading: loading(plan, &Figures(knowledge))?,
         gauges: gauges(plan),
         settings: 1,
+        soft_jaws: 0,
         tools: plan.tools.iter().filter(|tool| tool.number > 0).count(),
         zeros: job.setups.len(),
     };
@@ -296,6 +299,7 @@ fn preparation(
         figures.item("norm-instruction", TimeNorm::Instruction, 1)?,
         figures.item("norm-set-up", TimeNorm::SetUp, work.settings)?,
         figures.item("norm-tool", TimeNorm::Tool, more)?,
+        figures.item("norm-soft-jaws", TimeNorm::SoftJaws, work.soft_jaws)?,
         figures.item("norm-zeros", TimeNorm::Zeros, work.zeros)?,
         NormItem { key: "norm-trial", count: 1, each: program.rounded(2), because: None },
     ];

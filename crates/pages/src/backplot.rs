@@ -183,15 +183,21 @@ pub(crate) fn sheets(steps: &[MotionStep], frame: &Frame<'_>, lang: Lang) -> Vec
     let Some(extent) = extent(&panels, Some(frame)) else { return Vec::new() };
     let wide = scale(extent, SHEET);
     let low = wide.min(PANEL / extent.up());
-    let crowded = panels.iter().any(|panel| labels::apart(&panel.plunges) * low < CROWDED);
-    let scale = if crowded { wide } else { low };
-    // At least one, as tall as it is.
-    let fit = (SHEET_HEIGHT / (TITLE + extent.up() * scale + MARGIN)).max(1.0) as usize;
-    let drawn = panels.chunks(fit).enumerate().map(|(at, own)| {
-        let tools = own.iter().filter_map(|panel| panel.tool).collect();
-        (tools, sheet(own, at * fit, extent, (1, SHEET, scale), Some(frame), lang))
-    });
-    drawn.collect()
+    let crowded = |panel: &Panel<'_>| labels::apart(&panel.plunges) * low < CROWDED;
+    // Those whose points leave room are small and share a sheet, whatever others need.
+    let mut first = 0;
+    let mut drawn = Vec::new();
+    for alike in panels.chunk_by(|a, b| crowded(a) == crowded(b)) {
+        let scale = if alike.iter().any(crowded) { wide } else { low };
+        // At least one, as tall as it is.
+        let fit = (SHEET_HEIGHT / (TITLE + extent.up() * scale + MARGIN)).max(1.0) as usize;
+        for own in alike.chunks(fit) {
+            let tools = own.iter().filter_map(|panel| panel.tool).collect();
+            drawn.push((tools, sheet(own, first, extent, (1, SHEET, scale), Some(frame), lang)));
+            first += own.len();
+        }
+    }
+    drawn
 }
 
 /// Units of the page in a millimetre.

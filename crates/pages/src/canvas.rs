@@ -28,6 +28,9 @@ impl Pen {
     }
 }
 
+/// Lines of dimensions.
+pub(super) const THIN: Pen = Pen::solid("#888", 0.8);
+
 /// The alignment of a text at its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
@@ -130,6 +133,18 @@ impl Canvas {
             corners.extend((0..=PARTS).map(on));
         }
         self.area(&corners, fill, pen);
+    }
+
+    /// A dimension line with an arrow at either end; its figure over the middle of a line across, beside that of one that goes up.
+    pub(super) fn dimension(&mut self, [from, to]: [At; 2], figure: &str) {
+        const SIZE: f64 = 12.0;
+        self.line(&[from, to], THIN);
+        self.head(from, to, THIN);
+        self.head(to, from, THIN);
+        let middle = (f64::midpoint(from.0, to.0), f64::midpoint(from.1, to.1));
+        let aside = width_of(figure, SIZE) / 2.0 + 3.0;
+        let place = if from.1 == to.1 { (middle.0, middle.1 - 4.0) } else { (middle.0 - aside, middle.1 + 4.0) };
+        self.text(place, SIZE, Anchor::Middle, figure);
     }
 
     /// A text. A white outline keeps it readable over lines.

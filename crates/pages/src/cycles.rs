@@ -27,7 +27,7 @@ const LEAST: f64 = 560.0;
 const COLUMNS: usize = 4;
 const TITLE: f64 = 32.0;
 const HEAD: f64 = 92.0;
-const BODY: f64 = 400.0;
+const BODY: f64 = 280.0;
 /// The height of the view from above, for a mill's circles.
 const ABOVE: f64 = 190.0;
 const FOOT: f64 = 34.0;

@@ -7,7 +7,7 @@ use crate::part::{Hole, Part};
 use crate::plan::{Operation, Plan, Transition};
 
 use super::Lang;
-use super::sheet::route::{finishes, size_of, slot_size};
+use super::sheet::route::{finishes, size_text, slot_size};
 use super::words::say;
 
 /// The transitions that a work makes with some of its cycles: for each its group, its number and the number of its
@@ -63,7 +63,7 @@ fn holes(hole: &Hole, transition: &Transition, count: usize, lang: Lang) -> Stri
         }
         return say!(lang, "cycles-slot", size = size, hole = hole.name.as_str(), width = width);
     }
-    let (size, name) = (size_of(hole, transition), hole.name.as_str());
+    let (size, name) = (size_text(hole, transition, lang), hole.name.as_str());
     if transition.operation == Operation::CentreDrill || finishes(hole, transition) {
         return say!(lang, "cycles-holes", count = count, size = size, hole = name);
     }

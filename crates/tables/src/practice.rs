@@ -38,6 +38,8 @@ vocabulary! {
         Instruction = "instruction",
         /// The machine is set with its first tools, min a lot.
         SetUp = "set-up",
+        /// Soft jaws are put on and bored, min a lot.
+        SoftJaws = "soft-jaws",
         /// How many tools are in that time.
         SetUpTools = "set-up-tools",
         /// A further tool, min a lot.

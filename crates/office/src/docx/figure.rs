@@ -13,6 +13,9 @@ const EMU_OF_MM: f64 = 36_000.0;
 /// What the caption needs of a page, mm.
 const CAPTION_MM: f64 = 20.0;
 
+/// The least scale at which the letters of a drawing, of 9 to 12 pixels, are read without effort.
+const LEGIBLE: f64 = 0.72;
+
 /// A drawing in its place.
 pub struct Figure<'d> {
     number: usize,
@@ -44,6 +47,9 @@ impl<'d> Figure<'d> {
         let (width, height) = (self.picture.width * EMU_OF_PIXEL, self.picture.height * EMU_OF_PIXEL);
         let room = (WIDTH_MM * EMU_OF_MM, (HEIGHT_MM - CAPTION_MM) * EMU_OF_MM);
         let scale = (room.0 / width.max(1.0)).min(room.1 / height.max(1.0)).min(1.0);
+        // Two stand on a page where their letters bear it.
+        let half = (HEIGHT_MM / 2.0 - CAPTION_MM) * EMU_OF_MM / height.max(1.0);
+        let scale = if half >= LEGIBLE { scale.min(half) } else { scale };
         let (wide, high) = (format!("{:.0}", width * scale), format!("{:.0}", height * scale));
         let (number, name, told) = (self.number, self.name(), escaped(self.alternative));
         format!(

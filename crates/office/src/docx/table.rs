@@ -11,7 +11,7 @@ const SIZES: [f64; 3] = [10.0, 9.0, 7.5];
 const LETTER: f64 = 0.53;
 /// What the edges of a cell need, mm.
 const EDGES_MM: f64 = 2.6;
-/// The most that a column is made wider for its longest cell, mm.
+/// The most that a column is made wider for its longest cell, mm, where its cells are not all that long.
 const MOST_MM: f64 = 70.0;
 const POINT_MM: f64 = 25.4 / 72.0;
 
@@ -47,9 +47,12 @@ fn needs(table: &Table, size: f64) -> Vec<(f64, f64)> {
         // Heads are bold, which is wider.
         let word = longest_word(&head).saturating_add(longest_word(&head) / 8);
         let word = cells(at).map(longest_word).max().unwrap_or(0).max(word);
-        let whole = cells(at).map(|cell| cell.plain().chars().count()).max().unwrap_or(0);
+        let letters: Vec<usize> = cells(at).map(|cell| cell.plain().chars().count()).collect();
+        let whole = letters.iter().copied().max().unwrap_or(0);
+        // A column of sentences takes more of the page than one that has a single long cell.
+        let mean = letters.iter().sum::<usize>() / letters.len().max(1);
         let least = wide(word);
-        (least, wide(whole).min(MOST_MM).max(least))
+        (least, wide(whole).min(MOST_MM.max(wide(2 * mean))).max(least))
     };
     (0..table.columns().len()).map(of).collect()
 }

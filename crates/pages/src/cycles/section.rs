@@ -13,8 +13,8 @@ use crate::units::Micrometres;
 use super::{BODY, GREY, INK, MARGIN};
 
 /// Heights of the diagram body: above the face, and down to the lowest level.
-const OVER: f64 = 110.0;
-const UNDER: f64 = 215.0;
+const OVER: f64 = 85.0;
+const UNDER: f64 = 122.0;
 /// The width of the widest diameter in a section, and of the plate on both sides.
 const BORE: f64 = 120.0;
 const PLATE: f64 = 92.0;

@@ -267,10 +267,16 @@ fn times(own: &Sources<'_>, lang: Lang) -> [Inlines; 2] {
 fn equipment(own: &Sources<'_>, tool: &ToolPlan, lang: Lang) -> Vec<String> {
     let standard = |id: &str| own.knowledge.table(id).ok().and_then(|table| table.standard.clone());
     let with = |key: &'static str, what: String, id: &str| {
-        let what = [Some(what), standard(id)].into_iter().flatten().collect::<Vec<_>>().join(" ");
+        // A designation that is an order text has its standard already.
+        let standard = standard(id).filter(|standard| !what.contains(standard.as_str()));
+        let what = [Some(what), standard].into_iter().flatten().collect::<Vec<_>>().join(" ");
         lang.say(&Note::new(key).with("what", what))
     };
-    let cutter = say!(lang, "card-tool", tool = sheet::named(tool, "", lang), diameter = tool.diameter_mm);
+    let named = sheet::named(tool, "", lang);
+    let cutter = match named.contains('Ø') {
+        true => named,
+        false => say!(lang, "card-tool", tool = named, diameter = tool.diameter_mm),
+    };
     let cutter = with("card-cutter", cutter, &tool.table);
     // A cutter with the machine's taper needs no holder.
     match tool.holder == tool.designation {

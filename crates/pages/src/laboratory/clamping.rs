@@ -4,11 +4,11 @@
 use crate::part::{Outline, Point};
 use crate::plan::{Clamping, Plan};
 
-use super::super::canvas::{Anchor, At, Canvas, Pen, width_of};
+use super::super::canvas::{Anchor, At, Canvas, Pen, THIN, width_of};
 use super::super::sheet::{exactly, rounded};
 use super::super::words::say;
 use super::Lang;
-use super::from_above::{MARGIN, Plate, SIZE, THIN, WIDTH};
+use super::from_above::{MARGIN, Plate, SIZE, WIDTH};
 
 const CLAMP: Pen = Pen::solid("#7a5c3e", 1.2);
 const FORCE: Pen = Pen::solid("#d55e00", 1.6);

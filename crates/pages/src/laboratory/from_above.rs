@@ -1,17 +1,22 @@
-//! The part from above: the plate with its overall sizes, every hole with the name of its group, the zero of the drawing.
+//! The part from above: the plate with its overall sizes, every hole with the name of its group, once with its size, the chains of
+//! dimensions between the centres where they have room, the zero of the drawing.
 
+use std::collections::BTreeMap;
+
+use crate::note::IntoFigure;
 use crate::part::{Hole, Part, Point};
 use crate::units::Micrometres;
 
-use super::super::canvas::{Anchor, At, Canvas, Pen, width_of};
+use super::super::canvas::{Anchor, At, Canvas, Pen, THIN, width_of};
 use super::super::sheet::mm;
+use super::super::words::say;
 use super::Lang;
 
 pub(super) const WIDTH: f64 = 720.0;
-pub(super) const MARGIN: f64 = 60.0;
+pub(super) const MARGIN: f64 = 96.0;
 const TALLEST: f64 = 640.0;
+const TOP: f64 = 30.0;
 const INK: Pen = Pen::solid("#333", 1.2);
-pub(super) const THIN: Pen = Pen::solid("#888", 0.8);
 const AXIS: Pen = Pen::dashed("#999", 0.7);
 /// A hole is never drawn smaller than this, so that it is seen.
 const LEAST: f64 = 2.5;
@@ -64,11 +69,12 @@ impl Plate {
 
 /// The drawing, a whole SVG file.
 pub(super) fn drawing(part: &Part, lang: Lang) -> String {
-    let plate = Plate::of(part, MARGIN / 2.0);
+    let plate = Plate::of(part, TOP);
     let Plate { corner, across, up, .. } = plate;
     let mut canvas = Canvas::default();
     plate.outline(&mut canvas);
-    let mut taken: Vec<(At, f64)> = Vec::new();
+    let zero_at = plate.at(Point { x: Micrometres::ZERO, y: Micrometres::ZERO });
+    let mut labels = Labels { plate, holes: Vec::new(), taken: vec![(zero_at, 46.0)] };
     for hole in &part.holes {
         let radius = plate.radius(hole);
         for way in hole.middles() {
@@ -79,32 +85,145 @@ pub(super) fn drawing(part: &Part, lang: Lang) -> String {
                 canvas.line(&[(x, y - arm), (x, y + arm)], AXIS);
             }
             canvas.opening(ends, (radius, plate.corner_of(hole)), "none", Some(INK));
-            let [_, (x, y)] = ends;
-            let long = width_of(&hole.name, SIZE);
-            let place = label((x, y), radius, long, &taken);
-            taken.push((place, long));
-            canvas.text(place, SIZE, Anchor::Start, &hole.name);
+            labels.holes.extend(ends.map(|end| (end, radius)));
         }
     }
-    zero(&mut canvas, plate.at(Point { x: Micrometres::ZERO, y: Micrometres::ZERO }));
-    let below = corner.1 + up + 22.0;
-    dimension(&mut canvas, [(corner.0, below), (corner.0 + across, below)], &mm(part.blank.length, lang));
-    let beside = corner.0 - 22.0;
-    dimension(&mut canvas, [(beside, corner.1 + up), (beside, corner.1)], &mm(part.blank.width, lang));
-    canvas.page(WIDTH, corner.1 + up + 46.0)
+    for hole in &part.holes {
+        // The size stands once, at the first hole of a group that has room for it.
+        let mut sized = Some(group(hole, lang)).filter(|_| hole.slot.is_none());
+        let mut unnamed = true;
+        for way in hole.middles() {
+            let at = plate.at(way.to);
+            let radius = plate.radius(hole);
+            let told = sized.as_deref().and_then(|text| Some((text.to_owned(), labels.free(at, radius, text)?)));
+            let by_name = || Some((hole.name.clone(), labels.free(at, radius, &hole.name)?));
+            // A group is named at least once, wherever that stands.
+            let at_last = || unnamed.then(|| (hole.name.clone(), labels.any(at, radius, &hole.name)));
+            let Some((text, place)) = told.clone().or_else(by_name).or_else(at_last) else { continue };
+            if told.is_some() {
+                sized = None;
+            }
+            unnamed = false;
+            labels.taken.push((place, width_of(&text, SIZE)));
+            canvas.text(place, SIZE, Anchor::Start, &text);
+        }
+    }
+    zero(&mut canvas, zero_at);
+    let xs = chain(part, |point| point.x).filter(|chain| fits(chain, plate.scale, lang));
+    let ys = chain(part, |point| point.y).filter(|chain| fits(chain, plate.scale, lang));
+    let (mut below, mut beside) = (corner.1 + up + 22.0, corner.0 - 22.0);
+    if let Some(links) = &xs {
+        let on_page = |(x, y): (Micrometres, Micrometres)| plate.at(Point { x, y });
+        for pair in links.windows(2) {
+            let ends = [pair[0], pair[1]].map(on_page);
+            canvas.dimension(ends.map(|(x, _)| (x, below)), &mm(pair[1].0 - pair[0].0, lang));
+        }
+        for (x, y) in links.iter().copied().map(on_page) {
+            canvas.line(&[(x, y), (x, below + 4.0)], THIN);
+        }
+        below += NEXT;
+    }
+    if let Some(links) = &ys {
+        let on_page = |(y, x): (Micrometres, Micrometres)| plate.at(Point { x, y });
+        for pair in links.windows(2) {
+            let ends = [pair[0], pair[1]].map(on_page);
+            canvas.dimension(ends.map(|(_, y)| (beside, y)), &mm(pair[1].0 - pair[0].0, lang));
+        }
+        for (x, y) in links.iter().copied().map(on_page) {
+            canvas.line(&[(x, y), (beside - 4.0, y)], THIN);
+        }
+        beside -= ASIDE;
+    }
+    canvas.dimension([(corner.0, below), (corner.0 + across, below)], &mm(part.blank.length, lang));
+    canvas.dimension([(beside, corner.1 + up), (beside, corner.1)], &mm(part.blank.width, lang));
+    for x in [corner.0, corner.0 + across] {
+        canvas.line(&[(x, corner.1 + up), (x, below + 4.0)], THIN);
+    }
+    for y in [corner.1, corner.1 + up] {
+        canvas.line(&[(corner.0, y), (beside - 4.0, y)], THIN);
+    }
+    canvas.page(WIDTH, below + 24.0)
 }
 
 pub(super) const SIZE: f64 = 12.0;
+/// From one dimension line to the next, below the plate and beside it, where the figures stand across.
+const NEXT: f64 = 26.0;
+const ASIDE: f64 = 36.0;
 
-/// The first place around a hole for its name where no other name stands; the first place of all if every one is taken.
-fn label((x, y): At, radius: f64, long: f64, taken: &[(At, f64)]) -> At {
-    let off = radius + 3.0;
-    let places =
-        [(x + off, y - off), (x + off, y + off + SIZE), (x - off - long, y - off), (x - off - long, y + off + SIZE)];
-    let is_free = |place: &At| {
-        taken.iter().all(|((tx, ty), tl)| (place.1 - ty).abs() > SIZE || place.0 > tx + tl || place.0 + long < *tx)
+/// How many holes of which size a group has, and its name.
+fn group(hole: &Hole, lang: Lang) -> String {
+    let size = match &hole.thread {
+        Some(thread) => thread.written.clone(),
+        None => lang.figure(&(&hole.diameter).into_figure()),
     };
-    places.into_iter().find(is_free).unwrap_or(places[0])
+    say!(lang, "cycles-holes", count = hole.at.len(), size = size, hole = hole.name.as_str())
+}
+
+/// The coordinates that centres have in a direction, the zero among them, in order; of each also how far the nearest of its
+/// centres lies to the left or below, from where its extension line comes.
+fn chain(part: &Part, along: fn(Point) -> Micrometres) -> Option<Vec<(Micrometres, Micrometres)>> {
+    let mut links: BTreeMap<Micrometres, Micrometres> = BTreeMap::new();
+    let other = |point: Point| point.x + point.y - along(point);
+    let zero = Point { x: Micrometres::ZERO, y: Micrometres::ZERO };
+    let centres = part.holes.iter().flat_map(|hole| hole.middles().flat_map(|way| [way.from, way.to]));
+    for point in centres.chain([zero]) {
+        let least = links.entry(along(point)).or_insert_with(|| other(point));
+        *least = (*least).min(other(point));
+    }
+    Some(links.into_iter().collect()).filter(|links: &Vec<_>| links.len() > 1)
+}
+
+/// Whether every link of a chain holds its figure; otherwise the coordinates stand in the table only.
+fn fits(chain: &[(Micrometres, Micrometres)], scale: f64, lang: Lang) -> bool {
+    chain.windows(2).all(|pair| {
+        let link = pair[1].0 - pair[0].0;
+        link.to_mm() * scale >= width_of(&mm(link, lang), SIZE) + 8.0
+    })
+}
+
+/// Where names stand, and what they must not stand on.
+struct Labels {
+    plate: Plate,
+    holes: Vec<(At, f64)>,
+    taken: Vec<(At, f64)>,
+}
+
+impl Labels {
+    fn places((x, y): At, radius: f64, long: f64) -> [At; 8] {
+        let (off, near) = (radius + 3.0, radius * 0.72 + 4.0);
+        [
+            (x + near, y - near),
+            (x + near, y + near + SIZE),
+            (x - near - long, y - near),
+            (x - near - long, y + near + SIZE),
+            (x - long / 2.0, y - off - 4.0),
+            (x - long / 2.0, y + off + SIZE + 2.0),
+            (x + off + 3.0, y - 4.0),
+            (x - off - long - 3.0, y - 4.0),
+        ]
+    }
+
+    /// The first place around a hole where a text stands within the plate, on no other text and on no hole.
+    fn free(&self, at: At, radius: f64, text: &str) -> Option<At> {
+        let long = width_of(text, SIZE);
+        let (left, top) = self.plate.corner;
+        let is_inside = |(x, y): At| {
+            x > left + 2.0 && x + long < left + self.plate.across && y - SIZE > top && y + 3.0 < top + self.plate.up
+        };
+        Self::places(at, radius, long).into_iter().find(|&(x, y)| {
+            let is_clear = |&((cx, cy), radius): &(At, f64)| {
+                let (dx, dy) = (cx - cx.clamp(x, x + long), cy - cy.clamp(y - SIZE, y + 2.0));
+                libm::hypot(dx, dy) >= radius
+            };
+            let is_alone = |&((tx, ty), tl): &(At, f64)| (y - ty).abs() > SIZE || x > tx + tl || x + long < tx;
+            is_inside((x, y)) && self.holes.iter().all(is_clear) && self.taken.iter().all(is_alone)
+        })
+    }
+
+    /// The same, or the first place of all if none is free.
+    fn any(&self, at: At, radius: f64, text: &str) -> At {
+        self.free(at, radius, text).unwrap_or(Self::places(at, radius, width_of(text, SIZE))[0])
+    }
 }
 
 /// The zero of the drawing with its axes.
@@ -116,14 +235,4 @@ fn zero(canvas: &mut Canvas, (x, y): At) {
         canvas.text(place, SIZE, Anchor::Start, name);
     }
     canvas.circle((x, y), 3.0, "white", Some(pen));
-}
-
-/// A dimension line with an arrow at either end; its figure beside the middle.
-pub(super) fn dimension(canvas: &mut Canvas, [from, to]: [At; 2], figure: &str) {
-    canvas.line(&[from, to], THIN);
-    canvas.head(from, to, THIN);
-    canvas.head(to, from, THIN);
-    let middle = ((from.0 + to.0) / 2.0, (from.1 + to.1) / 2.0);
-    let place = if from.1 == to.1 { (middle.0, middle.1 + 16.0) } else { (middle.0 - 16.0, middle.1 + 4.0) };
-    canvas.text(place, SIZE, Anchor::Middle, figure);
 }

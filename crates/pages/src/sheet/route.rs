@@ -129,6 +129,12 @@ fn hole<'p>(plan: &'p Plan, name: &str) -> Option<&'p Hole> {
     plan.part.holes.iter().find(|hole| hole.name == name)
 }
 
+/// The thread that a transition of its bore comes before: what is made is another size.
+pub(crate) fn thread_later<'p>(hole: &'p Hole, transition: &Transition) -> Option<&'p str> {
+    let bores = matches!(transition.feature, Feature::Bore | Feature::Step) && transition.operation != Operation::Tap;
+    hole.thread_at(transition.step).filter(|_| bores).map(|thread| thread.written.as_str())
+}
+
 /// The size towards which a transition works: a thread, a step, or the hole itself.
 pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
     let step = transition.step.and_then(|number| hole.steps.get(number.checked_sub(1)?));
@@ -140,6 +146,14 @@ pub(crate) fn size_of(hole: &Hole, transition: &Transition) -> Figure {
         (Some(thread), _) => thread.written.clone().into_figure(),
         (None, Some(step)) => (&step.diameter).into_figure(),
         (None, None) => (&hole.diameter).into_figure(),
+    }
+}
+
+/// That size in words: a bore before its thread is one for the thread.
+pub(crate) fn size_text(hole: &Hole, transition: &Transition, lang: Lang) -> String {
+    match thread_later(hole, transition) {
+        Some(thread) => say!(lang, "plan-size-for-thread", thread = thread),
+        None => lang.figure(&size_of(hole, transition)),
     }
 }
 
@@ -158,7 +172,7 @@ pub(crate) fn slot_size(hole: &Hole, lang: Lang) -> Option<String> {
 /// Whether a transition reaches that size, so that its own diameter need not be printed.
 pub(crate) fn finishes(hole: &Hole, transition: &Transition) -> bool {
     let own = cylinder(hole, transition).is_some_and(|own| own.nominal == transition.diameter_mm);
-    transition.operation == Operation::Tap || own
+    transition.operation == Operation::Tap || own && thread_later(hole, transition).is_none()
 }
 
 /// The diameter of the cylinder that a transition works on, by the drawing; none for edges and faces.
@@ -207,7 +221,7 @@ fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lan
     let mut note = Note::new(key)
         .with("verb", operation_verb(transition.operation.name(), lang))
         .with("count", hole.at.len())
-        .with("size", size_of(hole, transition))
+        .with("size", size_text(hole, transition, lang))
         .with("hole", hole_plan.name.as_str());
     if key != "plan-step" {
         note = note.with("diameter", transition.diameter_mm);

@@ -1,14 +1,15 @@
 //! A turning operation as a drawing: for each side of a set-up the allowances with the zones, then the toolpath over
 //! each zone.
 
-use super::super::canvas::{Anchor, Canvas, Pen, width_of};
+use super::super::canvas::{Anchor, Canvas, Pen, THIN, width_of};
 use super::Lang;
-use super::cells::{fixed, rounded};
+use super::cells::{figure, fixed, rounded};
 use super::phrases::word;
 use super::view::{View, pen_of};
-use crate::note::Note;
-use technolog_turning::contour::{Contour, Piece, Side};
+use crate::note::{Figure, Note};
+use technolog_turning::contour::{Contour, Piece, Side, SurfaceKind};
 use technolog_turning::length::Half;
+use technolog_turning::operation::ground::ground;
 use technolog_turning::operation::work::{Work, ZoneWork};
 use technolog_turning::operation::{Operation, SetUpWork, SideWork, SizeOf};
 use technolog_turning::point::Point;
@@ -101,6 +102,13 @@ fn layers(
     let title = say!(lang, "turn-layers", set_up = number, side = side_of);
     canvas.text((MARGIN, top + TITLE - 8.0), 15.0, Anchor::Start, &title);
     view.area(canvas, solid(&layers.part, far.radius), STEEL);
+    // What is hollow from the beginning is not drawn as metal.
+    let bore = operation.workpiece.blank.inner.as_ref().filter(|_| side.side == Side::Outer);
+    if let Some((least, _)) = bore.and_then(Contour::radii) {
+        let at = |radius, z| view.at(Point { radius, z });
+        canvas.rectangle(at(Half::ZERO, near.z), at(least, far.z), "white", None);
+        canvas.line(&[at(least, near.z), at(least, far.z)], Pen::dashed("#666666", 1.2));
+    }
     let areas = [&layers.areas.rough_main, &layers.areas.additional, &layers.areas.finish];
     for (area, (fill, _)) in areas.iter().zip(ALLOWANCES) {
         view.area(canvas, area.boundary.iter().copied(), fill);
@@ -129,7 +137,9 @@ fn layers(
         canvas.circle(at, 10.0, "white", Some(Pen::solid("#009e73", 1.2)));
         canvas.text((at.0, at.1 + 4.0), 12.0, Anchor::Middle, &one.number.to_string());
     }
-    let bottom = top + TITLE + MARGIN + tall + 46.0;
+    let deep = lengths(canvas, &view, (set_up, side), top + TITLE + MARGIN + tall, lang);
+    let below = if side.side == Side::Inner { 46.0 } else { 28.0 };
+    let bottom = top + TITLE + MARGIN + tall + deep + below;
     let mut left = MARGIN;
     for (fill, name) in ALLOWANCES {
         canvas.rectangle((left, bottom - 14.0), (left + 18.0, bottom - 2.0), fill, Some(Pen::solid("#666", 0.5)));
@@ -141,21 +151,66 @@ fn layers(
 
 /// The sizes with limits at their surfaces, on the side of the metal.
 fn sizes(canvas: &mut Canvas, view: &View, operation: &Operation, (set_up, side): (&SetUpWork, &SideWork), lang: Lang) {
+    let later = ground(operation);
     for surface in set_up.set_up.side(side.side).iter().flat_map(|stretch| &stretch.profile.surfaces) {
-        let (Some(sized), Some(piece)) = (operation.sizes.of_surface(&surface.name), surface.pieces.first()) else {
-            continue;
+        let Some(piece) = surface.pieces.first() else { continue };
+        let left = later.iter().find(|one| one.surface == surface.name);
+        let note = match (operation.sizes.of_surface(&surface.name), left.and_then(|one| Some((one, one.turned_mm?)))) {
+            (Some(sized), _) => {
+                let code = match sized.of {
+                    SizeOf::Diameter => "turn-drawn-diameter",
+                    SizeOf::Length => "turn-drawn-length",
+                };
+                let note = Note::new(code).with("nominal", sized.nominal_mm).with("fit", &*sized.fit);
+                note.with("least", sized.least_mm).with("most", sized.most_mm)
+            }
+            (None, Some((one, turned))) => {
+                let operation = Figure::word(one.operation.name());
+                let note = Note::new("turn-drawn-ground").with("turned", turned).with("operation", operation);
+                note.with("left", one.allowance_mm)
+            }
+            (None, None) => match surface.cylinder().filter(|_| surface.kind == SurfaceKind::Cylinder) {
+                Some(piece) => Note::new("turn-drawn-plain").with("diameter", piece.from.radius.diameter()),
+                None => continue,
+            },
         };
         let ends = [view.at(piece.from), view.at(piece.to)];
-        let code = match sized.of {
-            SizeOf::Diameter => "turn-drawn-diameter",
-            SizeOf::Length => "turn-drawn-length",
-        };
-        let note = Note::new(code).with("nominal", sized.nominal_mm).with("fit", &*sized.fit);
-        let note = note.with("least", sized.least_mm).with("most", sized.most_mm);
         let below = if side.side == Side::Outer { 14.0 } else { -5.0 };
         let at = ((ends[0].0 + ends[1].0) / 2.0, (ends[0].1 + ends[1].1) / 2.0 + below);
         canvas.text(at, 11.0, Anchor::Middle, &lang.say(&note));
     }
+}
+
+/// The lengths from the free end to the faces that a set-up turns outside, one dimension line under the other; returns how far they
+/// reach down.
+fn lengths(canvas: &mut Canvas, view: &View, (set_up, side): (&SetUpWork, &SideWork), axis: f64, lang: Lang) -> f64 {
+    const NEXT: f64 = 24.0;
+    if side.side == Side::Inner {
+        return 0.0;
+    }
+    let stretch = set_up.set_up.side(side.side);
+    let surfaces = stretch.iter().flat_map(|stretch| &stretch.profile.surfaces);
+    let pieces = surfaces.filter(|surface| surface.kind == SurfaceKind::Face).flat_map(|surface| &surface.pieces);
+    let mut faces: Vec<(Half, Half)> = Vec::new();
+    for piece in pieces.filter(|piece| piece.is_face() && piece.from.z > Half::ZERO) {
+        let lowest = piece.from.radius.min(piece.to.radius);
+        if !faces.iter().any(|(z, _)| *z == piece.from.z) {
+            faces.push((piece.from.z, lowest));
+        }
+    }
+    faces.sort();
+    let start = view.at(Point { radius: Half::ZERO, z: Half::ZERO });
+    let mut y = axis;
+    for (z, radius) in faces {
+        y += NEXT;
+        let face = view.at(Point { radius, z });
+        canvas.line(&[face, (face.0, y + 4.0)], THIN);
+        canvas.dimension([(face.0, y), (start.0, y)], &figure(z, lang));
+    }
+    if y > axis {
+        canvas.line(&[(start.0, axis), (start.0, y + 4.0)], THIN);
+    }
+    y - axis
 }
 
 /// The section of the part: from an outer contour down to the axis, for a bore up to a radius.
@@ -171,7 +226,12 @@ fn solid(part: &Contour, far: Half) -> Vec<Piece> {
 fn axis(canvas: &mut Canvas, view: &View, near: Point, far: Point) {
     let (right, left) =
         (view.at(Point { radius: Half::ZERO, z: near.z }), view.at(Point { radius: Half::ZERO, z: far.z }));
-    canvas.line(&[(left.0 - 14.0, left.1), (right.0 + 14.0, right.1)], Pen::dashed("#333", 0.8));
+    canvas.push_element(format_args!(
+        "<path d=\"M{:.2} {:.2} H{:.2}\" fill=\"none\" stroke=\"#333\" stroke-width=\"0.8\" stroke-dasharray=\"12 3 2 3\"/>",
+        left.0 - 14.0,
+        left.1,
+        right.0 + 14.0
+    ));
 }
 
 /// The toolpath over a zone, as large as possible; returns its lower end.

@@ -2,8 +2,9 @@
 //! measured.
 
 use crate::document::{Block, Column, Document, Inlines, Item, Keep};
-use crate::note::IntoFigure;
+use crate::note::{Figure, IntoFigure};
 use technolog_turning::jobs::{Body, JobTool, Work};
+use technolog_turning::operation::ground::Ground;
 use technolog_turning::operation::setting::{DiameterLimits, SetSize, SetThread, SetTool, Setting, Stand};
 use technolog_turning::operation::{SizeOf, Sized};
 use technolog_words::say;
@@ -24,6 +25,12 @@ pub fn setting_page(setting: &Setting, lang: Lang) -> Document {
         let rows = setting.sizes.iter().map(|size| size_row(size, lang)).collect();
         page.push(table(size_columns(lang), rows, lang));
         page.paragraph(say!(lang, "turn-setting-size-corrected"));
+    }
+    if !setting.ground.is_empty() {
+        page.heading(2, say!(lang, "turn-setting-ground"));
+        let rows = setting.ground.iter().map(|one| ground_row(one, lang)).collect();
+        page.push(table(ground_columns(lang), rows, lang));
+        page.paragraph(say!(lang, "turn-setting-ground-allowance"));
     }
     if !setting.threads.is_empty() {
         page.heading(2, say!(lang, "turn-setting-threads"));
@@ -79,6 +86,30 @@ fn size_row(size: &SetSize, lang: Lang) -> Vec<Cell> {
         fitted(sized, lang).into(),
         Cell::Range(sized.least_mm.to_mm(), sized.most_mm.to_mm(), 3),
         Cell::Figure(sized.made_mm.to_mm(), 3),
+    ]
+}
+
+fn ground_columns(lang: Lang) -> [Column; 6] {
+    let mm = lang.word("unit-mm");
+    [
+        Column::text(say!(lang, "turn-set-up-column")),
+        Column::text(say!(lang, "turn-setting-surface")),
+        Column::text(say!(lang, "turn-setting-drawn")),
+        Column::text(say!(lang, "turn-setting-later")),
+        Column::number(say!(lang, "turn-setting-turned"), mm),
+        Column::number(say!(lang, "turn-setting-left"), mm),
+    ]
+}
+
+fn ground_row(one: &Ground, lang: Lang) -> Vec<Cell> {
+    let drawn = one.nominal_mm.map(|size| format!("Ø{} {}", figure(size, lang), one.fit));
+    vec![
+        one.set_up.map_or_else(Cell::empty, |number| number.to_string().into()),
+        lang.figure(&(&one.surface).into_figure()).into(),
+        drawn.unwrap_or_else(|| one.fit.clone()).trim().into(),
+        lang.figure(&Figure::word(one.operation.name())).into(),
+        one.turned_mm.map_or_else(Cell::empty, |size| Cell::Figure(size.to_mm(), 3)),
+        Cell::Figure(one.allowance_mm.to_mm(), 3),
     ]
 }
 

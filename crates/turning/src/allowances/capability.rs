@@ -116,7 +116,7 @@ fn compare(
         &rule.answer,
         Note::new("finished-elsewhere")
             .with("surface", &surface.name)
-            .with("operation", Figure::operation(operation.name())),
+            .with("operation", Figure::word(operation.name())),
     );
     let (diameter, length) = (query_size(diameter(surface)), query_size(length));
     let lookup = knowledge.ask(&GrindingAllowanceFor { place_on: place, diameter, length })?;

@@ -29,6 +29,7 @@ mod feeds;
 mod finishing;
 pub mod gauging;
 pub mod grip;
+pub mod ground;
 mod held;
 mod intermediate;
 mod jaws;

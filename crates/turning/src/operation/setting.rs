@@ -20,6 +20,7 @@ use crate::turning::workpiece::{ThreadLimits, Workpiece};
 use crate::turning::zones::Hold;
 use crate::units::{Degrees, Micrometres};
 
+use super::ground::{Ground, ground};
 use super::turret::{Load, Station, loads, station, stations};
 use super::{Grip, Jaws, Operation, SetUpWork, Sized, Sizes, Tailstock};
 
@@ -37,6 +38,9 @@ pub struct Setting {
     /// The sizes with limits that are turned, with what the operator measures.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub sizes: Vec<SetSize>,
+    /// What is turned with an allowance for a later operation.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub ground: Vec<Ground>,
     /// The threads that are cut, with what the operator measures.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub threads: Vec<SetThread>,
@@ -198,6 +202,7 @@ pub fn setting(operation: &Operation, control: &str, knowledge: &Knowledge) -> R
         set_ups: set_ups.collect(),
         tools: tools.collect::<Result<_, KnowledgeError>>()?,
         sizes: operation.set_ups.iter().flat_map(|set_up| sizes(set_up, &operation.sizes)).collect(),
+        ground: ground(operation),
         threads: operation.set_ups.iter().flat_map(|set_up| threads(set_up, part, &language)).collect(),
     })
 }

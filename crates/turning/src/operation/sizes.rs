@@ -196,8 +196,13 @@ fn asked(
         Some(limits) => Some(limits),
         None => field.map(of_field).transpose()?.flatten(),
     };
-    let written = surface.limits.map(|limits| limits.to_string()).or(field.map(Field::to_string));
-    Ok((written.unwrap_or_default(), limits))
+    Ok((written(surface), limits))
+}
+
+/// The field or the deviations of a surface as the drawing writes them; nothing where it has none.
+pub(super) fn written(surface: &Surface) -> String {
+    let limits = surface.limits.map(|limits| limits.to_string());
+    limits.or(surface.field.as_ref().map(Field::to_string)).unwrap_or_default()
 }
 
 /// A diameter between its limits.

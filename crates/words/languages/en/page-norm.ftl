@@ -31,6 +31,7 @@ norm-study-order = papers are read, blanks looked at
 norm-instruction = instruction by the foreman
 norm-set-up = the machine is set, with the first three tools
 norm-tool = each further tool is put in and taken out
+norm-soft-jaws = soft jaws are put on and bored
 norm-zeros = the zero of a set-up
 norm-trial = trial run of the program
 norm-preparatory = preparation of the lot, in all
