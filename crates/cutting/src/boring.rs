@@ -67,7 +67,7 @@ pub(super) fn draft(cut: &Cut, taken: Option<MillimetresPerRev>, shop: &Shop<'_>
         card: None,
         rounds: None,
         plunge: None,
-        arcs: None,
+        arcs: Vec::new(),
     })
 }
 

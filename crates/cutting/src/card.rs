@@ -117,7 +117,7 @@ pub(super) fn draft(
         card: Some(card),
         rounds: None,
         plunge: None,
-        arcs: None,
+        arcs: Vec::new(),
     })
 }
 

@@ -90,7 +90,7 @@ pub(super) fn by_tables(cut: &Cut, feed: Feed, shop: &Shop<'_>) -> Tried<DraftCo
         card: None,
         rounds: None,
         plunge: None,
-        arcs: None,
+        arcs: Vec::new(),
     })
 }
 

@@ -132,10 +132,11 @@ struct DraftConditions {
     card: Option<crate::plan::CardPoint>,
     rounds: Option<crate::plan::Rounds>,
     plunge: Option<AnotherFeed>,
-    arcs: Option<AnotherFeed>,
+    /// Along the arcs of a slot.
+    arcs: Vec<AnotherFeed>,
 }
 
-/// The way down of a mill that cuts there, or its way along the arcs of a slot.
+/// The way down of a mill that cuts there, or its way along an arc of a slot.
 #[derive(Clone, Copy, Debug)]
 struct AnotherFeed {
     /// Its feed over that of the rest.
@@ -242,11 +243,13 @@ pub fn with_doubts(cut: &Cut, shop: &Shop<'_>) -> Tried<(Conditions, Vec<CardDou
     let another = |own: Option<AnotherFeed>| {
         own.map(|own| programmed_feed(MillimetresPerMinute(feed_rate.0 * own.share), shop.knowledge)).transpose()
     };
-    let (plunge_feed, arc_feed) = (another(draft.plunge)?, another(draft.arcs)?);
-    let takes = |own: Option<AnotherFeed>, feed: Option<MillimetresPerMinute>| {
-        own.zip(feed).map_or(0.0, |(own, feed)| own.travel / feed.0)
-    };
-    let at_other_feeds = takes(draft.plunge, plunge_feed) + takes(draft.arcs, arc_feed);
+    let (plunge_feed, mut arc_feed) = (another(draft.plunge)?, None::<MillimetresPerMinute>);
+    let mut at_other_feeds = draft.plunge.zip(plunge_feed).map_or(0.0, |(own, feed)| own.travel / feed.0);
+    for own in draft.arcs {
+        let Some(feed) = another(Some(own))? else { continue };
+        at_other_feeds += own.travel / feed.0;
+        arc_feed = Some(arc_feed.filter(|slowest| slowest.0 <= feed.0).unwrap_or(feed));
+    }
     let mut found = Conditions {
         depth_of_cut_mm: crate::units::round_to(draft.motion.depth_of_cut, 3),
         feed_mm_per_rev: limited.feed.rounded(3),

@@ -116,7 +116,7 @@ pub(super) struct Rounds {
     /// The same, as in the plan.
     pub planned: plan::Rounds,
     pub plunge: Option<AnotherFeed>,
-    pub arcs: Option<AnotherFeed>,
+    pub arcs: Vec<AnotherFeed>,
 }
 
 /// Divides the stock into radial passes and axial levels (table `milling-depth`), and measures the path.
@@ -185,7 +185,7 @@ fn rounds(cut: &Cut, mill: CutterShape, shop: &Shop<'_>) -> Result<(Rounds, Vec<
         arc_feed_mm_per_min: None,
         along_middle: false,
     };
-    Ok((Rounds { radial_depth, axial_depth, centre_share, path, planned, plunge, arcs: None }, because))
+    Ok((Rounds { radial_depth, axial_depth, centre_share, path, planned, plunge, arcs: Vec::new() }, because))
 }
 
 /// The number of equal parts, at least one, of a length, so that none is longer than `longest`.

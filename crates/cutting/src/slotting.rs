@@ -27,9 +27,10 @@ use super::{AnotherFeed, Cut, CutterShape};
 ///   middle.
 ///
 /// Along a wall the middle of the mill is as fast as its teeth there. On an arc the wall lies further out, and the middle is fed by
-/// r/(r + D/2) of that, by the share of the tightest arc (Sandvik Coromant, heat resistant super alloys, p. 110: vf =
+/// r/(r + D/2) of that, r the radius of its own way (Sandvik Coromant, heat resistant super alloys, p. 110: vf =
 /// (Dm - Dc)/Dm·vfm); but by no less than the convention `least-feed-per-tooth-mm`: a chip as thin as the edge is round is rubbed,
-/// not cut. `feed_per_tooth` is that along the walls, mm.
+/// not cut. The quarter off a wall, which cuts nothing after its first moment, is fed no slower than the tightest of the others.
+/// `feed_per_tooth` is that along the walls, mm.
 pub(super) fn rounds(
     cut: &Cut,
     mill: CutterShape,
@@ -52,24 +53,28 @@ pub(super) fn rounds(
     // In a corner the ways further in are rounded less.
     let in_corner =
         |pass: u32| slot.corner.map(|own| (own.to_mm() - d / 2.0 - radius(widening) + radius(pass)).max(0.0));
-    let (mut on_arcs, mut beside) = (0.0, 0.0);
+    // The radii of the arcs with how long all of each are, mm.
+    let (mut turns, mut beside) = (Vec::new(), 0.0);
     let mut tightest = f64::INFINITY;
     for pass in 1..=widening {
         let r = radius(pass);
         let (on, off) = (r.min(d / 2.0), r.min(d / 2.0) / 2.0);
         let turned = in_corner(pass).unwrap_or(r);
-        on_arcs += std::f64::consts::PI * (2.0 * turned + (on + off) / 2.0);
+        let quarter = std::f64::consts::FRAC_PI_2;
+        turns.extend([(turned, 4.0 * quarter * turned), (on, quarter * on), (off, quarter * off)]);
         let ends = if slot.corner.is_some() { 8.0 * (r - turned) } else { 0.0 };
         beside += 2.0 * along + ends + libm::hypot(on, r - on) + libm::hypot(off, r - off);
         tightest = [turned, on].into_iter().filter(|own| *own > 0.0).fold(tightest, f64::min);
     }
     let middle = if solid { each * along + f64::from(levels % 2) * along } else { 0.0 };
     let straight = middle + each * beside;
+    let on_arcs: f64 = turns.iter().map(|(_, length)| length).sum();
     let least = shop.convention(HoleDefault::LeastFeedPerTooth)?.to_mm();
-    let arcs = (widening > 0).then(|| {
-        let share = (tightest / (tightest + d / 2.0)).max(least / feed_per_tooth).min(1.0);
-        AnotherFeed { share, travel: each * on_arcs }
-    });
+    let slowest = (tightest / (tightest + d / 2.0)).max(least / feed_per_tooth).min(1.0);
+    let arcs: Vec<AnotherFeed> = turns
+        .into_iter()
+        .map(|(r, length)| AnotherFeed { share: (r / (r + d / 2.0)).max(slowest), travel: each * length })
+        .collect();
 
     let radial_depth = if solid { d } else { stock / f64::from(widening.max(1)) };
     let axial_depth = cut.depth.to_mm() / each;
@@ -81,13 +86,13 @@ pub(super) fn rounds(
         .with("b", round_to(axial_depth, 3))
         .with("path", round_to(straight + each * on_arcs, 1));
     let mut because = vec![Because::row(axial.row, note)];
-    because.extend(arcs.map(|arcs| {
+    if widening > 0 {
         let note = Note::new("slot-arc-feed")
             .with("passes", widening)
-            .with("percent", round_to(arcs.share * 100.0, 1))
+            .with("percent", round_to(slowest * 100.0, 1))
             .with("least", least);
-        Because::row(radial.row, note)
-    }));
+        because.push(Because::row(radial.row, note));
+    }
     let (mut path, mut plunge) = (straight, None);
     if solid {
         let material_group = shop.material.group;

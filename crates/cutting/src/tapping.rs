@@ -100,6 +100,6 @@ pub(super) fn draft(cut: &Cut, shop: &Shop<'_>) -> Tried<DraftConditions, Uncut>
         card: None,
         rounds: None,
         plunge: None,
-        arcs: None,
+        arcs: Vec::new(),
     })
 }

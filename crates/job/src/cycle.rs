@@ -11,7 +11,7 @@ use crate::tables::rules::{HoleCycle, MachiningCycle, MachiningCycleFor, Milling
 use crate::units::{Micrometres, MillimetresPerMinute, RevsPerMinute, Seconds};
 use technolog_note::note;
 
-use super::{Cycle, CycleKind, SlotCycle};
+use super::{Cycle, CycleKind, SlotArc, SlotCycle};
 
 /// One stroke of a tool into a hole, with lengths below the entry face.
 #[derive(Clone, Copy, Debug)]
@@ -190,9 +190,10 @@ fn slot(
     let radius = |pass: u32| (rounds.after(pass, transition.diameter) - rounds.mill_diameter_mm).half();
     let first = 1 + u32::from(rounds.along_middle);
     let lead = rounds.mill_diameter_mm.half();
-    Ok(CycleKind::Slot(SlotCycle {
+    let tightest = programmed(rounds.arc_feed_mm_per_min)?.unwrap_or(along);
+    let mut slot = SlotCycle {
         plunge_mm_per_min: programmed(rounds.plunge_feed_mm_per_min)?,
-        arc_mm_per_min: programmed(rounds.arc_feed_mm_per_min)?.unwrap_or(along),
+        arcs: Vec::new(),
         run,
         levels: levels(transition, rounds, top, resolution),
         along_middle: rounds.along_middle,
@@ -200,7 +201,19 @@ fn slot(
         corner: run.corner.map(|corner| corner - lead),
         lead,
         sense,
-    }))
+    };
+    // A wall lies the radius of the mill further out than its middle: the teeth there are faster by as much. The plan knows how slow a
+    // feed may be: it is that of the tightest arc.
+    let mut radii: Vec<Micrometres> = slot.radii.iter().flat_map(|radius| slot.turns(*radius)).collect();
+    radii.sort_unstable();
+    radii.dedup();
+    for radius in radii {
+        let share = radius.to_mm() / (radius + lead).to_mm();
+        let own =
+            programmed_feed(MillimetresPerMinute(transition.conditions.feed_mm_per_min.0 * share), shop.knowledge)?;
+        slot.arcs.push(SlotArc { radius, mm_per_min: if own.0 > tightest.0 { own } else { tightest } });
+    }
+    Ok(CycleKind::Slot(slot))
 }
 
 /// The feed in the steps of programs, rounded down; the feed of a tap depends on its pitch and is not rounded.

@@ -291,14 +291,25 @@ pub enum CycleKind {
     Slot(SlotCycle),
 }
 
+/// The feed of a mill's middle on an arc.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SlotArc {
+    /// The radius of its way.
+    pub radius: Micrometres,
+    /// The feed there.
+    pub mm_per_min: MillimetresPerMinute,
+}
+
 /// The ways of a mill in a slot.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SlotCycle {
     /// The feed down, where the mill cuts there.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub plunge_mm_per_min: Option<MillimetresPerMinute>,
-    /// The feed of the mill's middle on the arcs at the ends.
-    pub arc_mm_per_min: MillimetresPerMinute,
+    /// The feed of the mill's middle on arcs of those radii of its own way, from the tightest on; none where it only goes along the
+    /// middle.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub arcs: Vec<SlotArc>,
     /// From the point to the middle of the other end radius, as the part lies in the set-up.
     pub run: Slot,
     /// Z of the levels, downwards.

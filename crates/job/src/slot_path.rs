@@ -3,7 +3,7 @@
 use crate::motion::Sense;
 use crate::units::{Micrometres, MillimetresPerMinute};
 
-use super::{Cycle, SlotCycle};
+use super::{Cycle, SlotArc, SlotCycle};
 
 /// One motion in a slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -154,13 +154,30 @@ impl SlotCycle {
         })
     }
 
+    /// The radii of the arcs of one way round so far from the middle line: in the corners or round the ends, onto the wall, off it.
+    pub(super) fn turns(&self, radius: Micrometres) -> impl Iterator<Item = Micrometres> + use<> {
+        let lead = radius.min(self.lead);
+        let corner = self.corner.map_or(radius, |last| (last - (self.widest() - radius)).max(Micrometres::ZERO));
+        [corner, lead, lead.half()].into_iter().filter(|radius| *radius > Micrometres::ZERO)
+    }
+
     /// The feed of a motion, where that of the cycle is `along`.
-    pub fn feed_of(&self, motion: SlotMotion, along: MillimetresPerMinute) -> MillimetresPerMinute {
-        match motion {
+    pub fn feed_of(&self, made: SlotMove, along: MillimetresPerMinute) -> MillimetresPerMinute {
+        match made.motion {
             SlotMotion::Down(_) => self.plunge_mm_per_min.unwrap_or(along),
             SlotMotion::Across => along,
-            SlotMotion::Arc(..) => self.arc_mm_per_min,
+            SlotMotion::Arc([x, y], _) => {
+                let radius = libm::hypot((made.to[0] - x).to_mm(), (made.to[1] - y).to_mm());
+                self.arc_feed(radius, along)
+            }
         }
+    }
+
+    /// The feed on an arc of the mill's middle of about that radius, mm: that of the nearest arc of the cycle.
+    pub fn arc_feed(&self, radius: f64, along: MillimetresPerMinute) -> MillimetresPerMinute {
+        let aside = |arc: &SlotArc| (arc.radius.to_mm() - radius).abs();
+        let nearest = self.arcs.iter().min_by(|one, other| aside(one).total_cmp(&aside(other)));
+        nearest.map_or(along, |arc| arc.mm_per_min)
     }
 
     /// How far the mill's middle goes from the middle line of the slot.

@@ -133,7 +133,7 @@ impl Cycle {
                         SlotMotion::Arc(_, turn) => libm::hypot(to[0] - at[0], to[1] - at[1]) * turn.over_chord(),
                     };
                     at = to;
-                    let feed = slot.feed_of(made.motion, self.feed_mm_per_min).0;
+                    let feed = slot.feed_of(made, self.feed_mm_per_min).0;
                     took.feed = took.feed + Minutes(if feed > 0.0 { length / feed } else { 0.0 });
                 }
                 took.rapid = down + rapid.time(self.out - z);

@@ -180,8 +180,12 @@ fn figures(cycle: &Cycle, work: &ToolWork, lang: Lang) -> String {
             if let Some(plunge) = slot.plunge_mm_per_min {
                 parts.push(say!(lang, "cycles-plunge", feed = rounded(plunge.0, 0)));
             }
-            if !slot.radii.is_empty() {
-                parts.push(say!(lang, "cycles-arcs", feed = rounded(slot.arc_mm_per_min.0, 0)));
+            if let (Some(slow), Some(fast)) = (slot.arcs.first(), slot.arcs.last()) {
+                let (slow, fast) = (rounded(slow.mm_per_min.0, 0), rounded(fast.mm_per_min.0, 0));
+                parts.push(match slow == fast {
+                    true => say!(lang, "cycles-arcs", feed = slow),
+                    false => say!(lang, "cycles-arcs-between", slow = slow, fast = fast),
+                });
             }
         }
         CycleKind::Drill | CycleKind::Circles { .. } => {}

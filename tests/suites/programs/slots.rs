@@ -108,10 +108,11 @@ fn the_passes_of_a_slot_take_what_they_take_by_hand() {
 /// Mill Ø14, 2 teeth, 630 turns. Roughing to 39.125: 2 levels of 5 mm, each 20 mm along the middle and round by r = 6.281 and
 /// 12.563, at most half of the mill apart. In the corners the mill's middle turns by 8 - 0.5 - 7 = 0.5 in the last and not at all in
 /// the first: 2·20 + 8·6.281 = 90.25 and 2·20 + 8·12.063 = 136.5 mm straight. On and off the walls by quarters of 6.281 and 3.141,
-/// 7 and 3.5, with 6.281 + 4.442 and 8.941 + 9.715 mm straight: 40 + 2·256.13 = 552.26 mm at 63 mm/min. Arcs 14.80 and
-/// 16.49 + 2·π·0.5 mm, 68.87 in all, at 0.01·2·630 = 12 whole mm/min; 13 mm down at 15. 8.766 + 5.739 + 0.867 = 15.372 min.
-/// Finishing to 40.125: one level, r = 13.063, 136.5 + 9.260 + 10.183 + 13 = 168.94 mm at 44.1, 16.49 + 2·π·1 = 22.78 mm of arcs at
-/// 12: 3.831 + 1.898 = 5.729.
+/// 7 and 3.5, with 6.281 + 4.442 and 8.941 + 9.715 mm straight: 40 + 2·256.13 = 552.26 mm at 63 mm/min. Arcs at r/(r + 7) of that in whole mm/min:
+/// onto the walls 9.866 mm at 29 and 10.996 at 31, off them 4.933 at 19 and 5.498 at 21, in the corners 2·π·0.5 mm, no slower than
+/// 0.01·2·630 = 12, twice 1.478 min; 13 mm down at 15. 8.766 + 2.956 + 0.867 = 12.589 min.
+/// Finishing to 40.125: one level, r = 13.063, 136.5 + 9.260 + 10.183 + 13 = 168.94 mm at 44.1, arcs 10.996 mm at 22, 5.498 at 14 and
+/// 2·π·1 at 12: 3.831 + 1.416 = 5.247.
 #[test]
 fn the_passes_of_a_pocket_take_what_they_take_by_hand() {
     let folder = folder("pocket-time");
@@ -121,7 +122,7 @@ fn the_passes_of_a_pocket_take_what_they_take_by_hand() {
     let plan: serde_json::Value = serde_json::from_slice(&plan.stdout).unwrap();
     let steps = plan["holes"][0]["transitions"].as_array().unwrap();
     assert_eq!(steps.len(), 2);
-    for (step, minutes) in [(0, 15.372), (1, 5.729)] {
+    for (step, minutes) in [(0, 12.589), (1, 5.247)] {
         let took = steps[step]["conditions"]["machine_time_min"].as_f64().unwrap();
         assert!((took - minutes).abs() < 0.01, "{step}: {took}");
     }
@@ -201,13 +202,13 @@ fn a_slot_that_cannot_be_made_is_a_finding() {
     let folder = folder("refused");
     for (width, words) in [
         // Finer than a mill reaches; narrower than the mills; deeper than one reaches.
-        ("12H8", "does not reach grade 8"),
+        ("12H8, depth: 8", "does not reach grade 8"),
         // Grade 10 a mill reaches at best, 11 ordinarily: that is what is named instead.
-        ("12H8", "the same hole is possible at grade 11 with Ra 6.3"),
-        ("3H12", "mill"),
-        ("5H12", "reach"),
+        ("12H8, depth: 8", "the same hole is possible at grade 11 with Ra 6.3"),
+        ("3H12, depth: 8", "mill"),
+        ("5H12, depth: 14", "reach"),
     ] {
-        fs::write(folder.join("part.yaml"), ONE.replace("14H12", width)).unwrap();
+        fs::write(folder.join("part.yaml"), ONE.replace("14H12, depth: 8", width)).unwrap();
         let plan = technolog(&folder, &["plan", "part.yaml", "--lang", "en", "--all-problems"]);
         let said = text(&plan.stdout);
         assert_eq!(plan.status.code(), Some(1), "{width}: {said}");

@@ -338,8 +338,9 @@ pub struct Rounds {
     /// Feed down, mm/min, where the mill cuts on its way down; absent where it goes down through an open hole.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub plunge_feed_mm_per_min: Option<MillimetresPerMinute>,
-    /// In a slot, the feed of the mill's middle on the arcs at its ends, mm/min: there the teeth are faster at the wall than along
-    /// it. Absent for what is round, and where the mill only goes along the middle.
+    /// In a slot, the feed of the mill's middle on the tightest of its arcs, mm/min: there the teeth are faster at the wall than along
+    /// it. On wider ones it is r/R of the feed along the walls, r the radius of the mill's own way and R that of the wall, and no
+    /// less than this. Absent for what is round, and where the mill only goes along the middle.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub arc_feed_mm_per_min: Option<MillimetresPerMinute>,
     /// Whether the first pass goes along the middle of a slot, in solid metal: it leaves a slot as wide as the mill.

@@ -41,7 +41,7 @@ no-pitch = { $operation }: no pitch is given
 mill-does-not-enter = { $operation }: the mill Ø{ $diameter } does not enter the hole Ø{ $hole }
 milling-rounds = passes { $passes }, levels { $levels }: t = { $t } mm, B = { $b } mm; path of the mill's axis { $path } mm, its feed × { $factor }
 slot-passes = passes { $passes }, levels { $levels }: t = { $t } mm, B = { $b } mm; path of the mill's axis in the slot { $path } mm
-slot-arc-feed = ways round along the walls { $passes }; on the arcs the wall lies further out than the mill's axis, which is fed there at { $percent } % of the feed along the walls, and by no less than { $least } mm/tooth
+slot-arc-feed = ways round along the walls { $passes }; on the arcs the wall lies further out than the mill's axis, which is fed there at r/R of the feed along the walls, r being the radius of its way and R that of the wall: at { $percent } % on the tightest arc, and by no less than { $least } mm/tooth
 slot-finished = the same mill leaves { $stock } mm on the walls and takes it by one more way round
 slot-milled-at-once = the walls need no finishing way round
 milling-finish-round = the last round takes { $stock } mm a side: it finishes the cylinder

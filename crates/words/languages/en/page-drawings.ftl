@@ -28,6 +28,7 @@ cycles-speed = S { $speed } rpm
 cycles-feed = F { $feed } mm/min
 cycles-plunge = F { $feed } mm/min down
 cycles-arcs = F { $feed } mm/min on the arcs
+cycles-arcs-between = F { $slow } to { $fast } mm/min on the arcs
 cycles-pocket = pocket { $size } ({ $hole }) to a width of { $width }
 cycles-slot = slot { $size } ({ $hole }) to a width of { $width }
 cycles-slot-ways = { $count ->

@@ -22,6 +22,7 @@ cycles-speed = S { $speed } об/хв
 cycles-feed = F { $feed } мм/хв
 cycles-plunge = F { $feed } мм/хв униз
 cycles-arcs = F { $feed } мм/хв на дугах
+cycles-arcs-between = F { $slow }–{ $fast } мм/хв на дугах
 cycles-pocket = кишені { $size } ({ $hole }) до ширини { $width }
 cycles-slot = паза { $size } ({ $hole }) до ширини { $width }
 cycles-slot-ways = { $count ->

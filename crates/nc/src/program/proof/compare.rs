@@ -276,8 +276,8 @@ fn conditions(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Ve
     };
     // So has one on the arcs of a slot, where its teeth are faster at the wall than its middle.
     let along = cycle.feed_mm_per_min.0;
-    let needed = |made: &TipMove| match &cycle.kind {
-        CycleKind::Slot(slot) if matches!(made.motion, TipMotion::Round { .. }) => slot.arc_mm_per_min.0,
+    let needed = |made: &TipMove| match (&cycle.kind, made.motion) {
+        (CycleKind::Slot(slot), TipMotion::Round { radius, .. }) => slot.arc_feed(radius, cycle.feed_mm_per_min).0,
         _ => along,
     };
     // The feed per tooth grows when the spindle is slower, even if each figure alone is acceptable; and where the

@@ -116,7 +116,7 @@ pub(super) fn slot(cycle: &Cycle, slot: &SlotCycle, sheet: &mut ProgramWriter, p
                 step(Block::new().g(91).g(code)).axis('I', centre[0] - at[0]).axis('J', centre[1] - at[1])
             }
         };
-        let feed = slot.feed_of(made.motion, cycle.feed_mm_per_min).0;
+        let feed = slot.feed_of(made, cycle.feed_mm_per_min).0;
         blocks.push(if fed == Some(feed) { block } else { block.word('F', feed) });
         (at, fed) = (made.to, Some(feed));
     }

@@ -213,7 +213,7 @@ fn slot_ways(cycle: &Cycle, slot: &SlotCycle, dialect: Dialect<'_>, form: Form) 
                 Block::new().g(91).g(code).word('X', x).word('Y', y).word('I', i).word('J', j)
             }
         };
-        let feed = slot.feed_of(made.motion, cycle.feed_mm_per_min);
+        let feed = slot.feed_of(made, cycle.feed_mm_per_min);
         blocks.push(if fed == Some(feed.0) { block } else { block.word('F', dialect.feed(feed)) });
         (at, fed) = (made.to, Some(feed.0));
     }
