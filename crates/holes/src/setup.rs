@@ -75,7 +75,7 @@ pub fn clamping(
     let none = whys.is_empty();
     let why = Figure::List(whys.into_iter().map(told).collect(), "; ");
     let note = Note::new("no-place-for-clamps").with("torque", torque.rounded(1).0).with("why", why);
-    let finding = (!none).then(|| Finding::of_part(Severity::Doubtful, note));
+    let finding = (!none).then(|| Finding::of_part(Severity::Wrong, note));
     Ok((None, finding.into_iter().collect()))
 }
 
@@ -168,8 +168,8 @@ pub fn vice_instead(
             Ok(Some(vice))
         }
         Err(why) => {
-            // A fixture of the shop's own may hold it, which no key of the file says: the sheet of the set-up asks for it.
-            findings.push(Finding::of_part(Severity::Doubtful, Note::new("no-vice").with("why", why)));
+            // Nobody may begin to cut a part that nothing holds; a fixture of the shop's own is for the file to name.
+            findings.push(Finding::of_part(Severity::Wrong, Note::new("no-vice").with("why", why)));
             Ok(None)
         }
     }

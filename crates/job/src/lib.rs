@@ -7,6 +7,7 @@
 //! - `make` turns a plan into the tree; `cycle` is the cycle of one transition, by the rule `machining-cycle`;
 //! - `part_position` is the position of the part on the machine, `stand` what a setter is told of it; `on_table` checks that it lies on the table within reach;
 //!   `clearance` checks what the tools pass over;
+//! - `collisions` are tools in what the file says stands over the face;
 //! - `envelope` is how thick the tools are over their cutters;
 //! - `time` is the duration of the work: cutting, rapids and manual work;
 //! - `norm` is the norm of time of the operation: per piece and per lot;
@@ -15,6 +16,7 @@
 //! Architecture invariant: a job depends on no control and makes no decision that a rule can make.
 
 mod clearance;
+mod collisions;
 mod cycle;
 mod envelope;
 mod make;

@@ -12,6 +12,7 @@ use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
 use super::clearance::{beside, change_over_part, go_over, straps, ways_over_clamps};
+use super::collisions;
 use super::cycle::{Feeding, cycle};
 use super::envelope::envelopes;
 use super::on_table;
@@ -25,7 +26,8 @@ use super::{Job, Pause, SetUp, Stop, ToolWork, Unfinished, frame};
 pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
     let part = &plan.part;
     let machine = &shop.machine;
-    let (mut findings, mut asked) = (Vec::new(), Vec::new());
+    let (mut findings, mut asked, mut met) = (Vec::new(), Vec::new(), Vec::new());
+    let envelopes = envelopes(plan, shop)?;
     let mut setups = Vec::new();
     let (mut frames, mut bars) = (0, Bars::of(plan, shop.convention(HoleDefault::SettingStep)?));
     // The tool in each place; the first loading is done before the program begins.
@@ -74,13 +76,15 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         beside(&setup, plan, shop, &mut findings)?;
         reach_of_quill(&setup, plan, shop, &mut findings);
         on_table::faults(&setup, plan, machine, &mut findings);
+        met.extend(collisions::with_given(&setup, plan, &envelopes));
         setups.push(setup);
     }
     let (x, y) = machine.tool_change_at;
     let hinders = findings.iter().filter(|finding: &&Finding| finding.severity <= Severity::Doubtful).cloned();
     let doubted =
         asked.iter().map(|own: &Finding| Finding { severity: own.severity.max(Severity::Doubtful), ..own.clone() });
-    let of_plan = hinders.chain(doubted).collect();
+    // A program says these itself, with their blocks.
+    let of_plan = hinders.chain(doubted).chain(met).collect();
     findings.extend(asked);
     Ok(Job {
         part: part.part.clone(),
@@ -89,7 +93,7 @@ pub fn make(plan: &Plan, shop: &Shop<'_>) -> Result<Job, KnowledgeError> {
         setups,
         correctors: plan.tools.iter().map(|tool| (tool.corrector, tool.correction_mm)).collect(),
         unfinished: Unfinished::of(plan),
-        envelopes: envelopes(plan, shop)?,
+        envelopes,
         findings,
         of_plan,
     })

@@ -125,7 +125,7 @@ fn a_part_without_a_place_for_straps_is_put_into_a_vice() {
 fn no_vice_is_named_whose_parallels_would_be_cut() {
     let near = plan([60, 50, 30], "", NEAR_SIDES);
     assert!(near.setup.vice.is_none());
-    assert_eq!(figures(&near, "no-vice", &["why"]).0, Severity::Doubtful);
+    assert_eq!(figures(&near, "no-vice", &["why"]).0, Severity::Wrong);
     assert!(found(&near, "no-place-for-clamps").is_some());
     // Clamps of the file are for who made it.
     let own = "fixture: {clamps: [{at: [0, -20]}, {at: [0, 20]}]}";
@@ -141,7 +141,7 @@ fn a_height_of_the_file_does_not_switch_the_vice_off() {
     assert!(!suits.has_errors(), "{:?}", suits.findings);
     let none = plan([60, 50, 30], "fixture: {height: 20}", CORNERS);
     assert!(none.setup.vice.is_none() && none.clamping.is_none());
-    assert_eq!(figures(&none, "no-vice", &["why"]).0, Severity::Doubtful);
+    assert_eq!(figures(&none, "no-vice", &["why"]).0, Severity::Wrong);
 }
 
 /// x0 = xM − B − d/2 (textbook 1.12.2): with the zero at the left front corner, B and H are the length and the width.
@@ -364,6 +364,39 @@ fn a_fixture_of_the_shop_takes_the_place_of_clamps() {
     let must = own.setup.own.as_ref().unwrap();
     assert_eq!((must.name.as_str(), must.torque_n_m.0, must.safety), ("UPS-12", torque, 2.5));
     assert_eq!(own.setup.stands[0].height_mm, Micrometres::from_mm(45));
+}
+
+/// The collar of a short slot mill, Ø97.5, comes down to 50 mm over the face where a slot ends at [-60, -30]; a clamp begins 20 mm
+/// along X and 40 mm along Y from there: 44.7 mm < 97.5/2. The mill itself, of 14 mm, stays far from it.
+#[test]
+fn a_holder_in_a_clamp_of_the_file_is_an_error_of_the_plan() {
+    let clamped = |height: i64| {
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, length: 300, width: 200, thickness: 25}}\n\
+             fixture: {{height: 40, clamps: [{{at: [-25, -85], height: {height}, outline: [[-40, -100], [-10, -70]]}}, \
+             {{at: [130, 85], height: 30}}]}}\nslots:\n  \
+             - {{name: S, from: [-100, -60], to: [-60, -30], width: 14H12, through: true, roughness: Ra 6.3, centre_tolerance: 0.4}}\n"
+        );
+        planned(&read(&text), CuttingMethod::Formula)
+    };
+    let (severity, said) = figures(&clamped(57), "holder-in-clamp", &["clamp", "height", "low"]);
+    assert_eq!((severity, &said[..2]), (Severity::Error, &["[-25; -85]".to_owned(), "57".to_owned()][..]));
+    assert!((said[2].parse::<f64>().unwrap() - 50.0).abs() < 0.5, "{said:?}");
+    assert!(found(&clamped(49), "holder-in-clamp").is_none());
+}
+
+/// Tools go over a clamp that the file gives, unless it says itself how high they go.
+#[test]
+fn a_height_of_the_file_below_its_clamp_sends_tools_through_it() {
+    let over = |retract: &str| {
+        let clamps = "clamps: [{at: [0, 0], height: 30}, {at: [0, 80], height: 30}]";
+        plan([300, 200, 25], &format!("fixture: {{height: 40, {clamps}{retract}}}"), "[[-60, 0], [60, 0]]")
+    };
+    let (severity, said) = figures(&over(", retract: 20"), "rapid-through-clamp", &["at", "low", "height"]);
+    assert_eq!((severity, said), (Severity::Error, ["[0; 0]", "20", "30"].map(String::from).to_vec()));
+    for enough in ["", ", retract: 40"] {
+        assert!(found(&over(enough), "rapid-through-clamp").is_none(), "{enough}");
+    }
 }
 
 /// Parallels are in the way of what comes out below the part: blind holes lie over them as they please.

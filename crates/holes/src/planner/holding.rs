@@ -30,7 +30,15 @@ pub(super) fn held(mut plan: Plan, shop: &Shop<'_>) -> Result<(Plan, Vec<Finding
     if plan.setup.vice.is_none() {
         let (clamping, of_second) = setup::second_clamping(&plan.part, &plan.holes, shop)?;
         plan.setup.second_clamping = clamping;
-        findings.extend(of_second);
+        // What straps do not hold turned over, a vice holds in both set-ups.
+        let mut unheld = of_second;
+        if findings.is_empty() {
+            plan.setup.vice = setup::vice_instead(&plan.part, &plan.holes, &mut unheld, shop)?;
+        }
+        if plan.setup.vice.is_some() {
+            (plan.clamping, plan.setup.second_clamping) = (None, None);
+        }
+        findings.extend(unheld);
     }
     for face in [Face::Entry, Face::Back] {
         let (cleared, finding) = out_of_the_way(plan, face, shop)?;
@@ -97,7 +105,8 @@ fn out_of_the_way(plan: Plan, face: Face, shop: &Shop<'_>) -> Result<(Plan, Opti
     let most = lowest(&plan, face, &without, shop)?;
     let note = Note::new("straps-in-the-way").with("why", why).with("height", height).with("most", most);
     let note = if face == Face::Back { Note::new("in-second-set-up").with("why", note) } else { note };
-    Ok((bare, Some(Finding::of_part(Severity::Doubtful, note))))
+    // Nothing then holds the part.
+    Ok((bare, Some(Finding::of_part(Severity::Wrong, note))))
 }
 
 /// How high what stands at the places of the straps may be, in whole mm.
