@@ -3,6 +3,8 @@
 mod read;
 pub mod scheme;
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use crate::note::Severity;
@@ -27,6 +29,8 @@ pub struct MarkingScheme {
     pub deduct: BySeverity,
     /// The deduction for what follows from another slip.
     pub consequences: f64,
+    /// The most that one slip costs with all that follows from it.
+    pub slip_at_most: Option<f64>,
     /// Sections with deductions or a cap of their own.
     pub sections: Vec<(Section, SectionScheme)>,
     /// Deductions by the ids of rules.
@@ -167,13 +171,18 @@ impl MarkingScheme {
         let uncovered = audit.coverage.iter().filter(|own| self.scope.is_none() && !own.covered);
         let uncovered = uncovered.map(|own| own.part.name()).collect();
         let mut spent: Vec<(Section, f64)> = Vec::new();
+        let mut of_slips: BTreeMap<&str, f64> = BTreeMap::new();
         let mut deductions = Vec::new();
         for finding in &audit.findings {
             let (deduction, by) = self.charge(finding);
             let own = self.sections.iter().find(|(section, _)| *section == finding.section).map(|(_, own)| own);
             let before = spent.iter().find(|(section, _)| *section == finding.section).map_or(0.0, |(_, spent)| *spent);
             let room = own.and_then(|own| own.at_most).map_or(f64::INFINITY, |most| most - before);
+            // What follows from several slips is counted with the first.
+            let slip = of_slips.entry(finding.follows_from.first().unwrap_or(&finding.field)).or_default();
+            let room = room.min(self.slip_at_most.map_or(f64::INFINITY, |most| most - *slip));
             let taken = deduction.min(room).min(left).max(0.0);
+            *slip += taken;
             let points = spent_of(&mut left, taken);
             spent.retain(|(section, _)| *section != finding.section);
             spent.push((finding.section, before + taken));

@@ -32,7 +32,7 @@ fn grave(audit: &Audit) -> Vec<String> {
 }
 
 /// Programs of many hands: other zeros, words, cycles, written out, without comments.
-const HONEST: [(&str, &str, &str); 10] = [
+const HONEST: [(&str, &str, &str); 11] = [
     ("plate-corner-zero.nc", "fanuc", "plate.yaml"),
     ("plate-words-in-ukrainian.ngc", "linuxcnc", "plate.yaml"),
     ("bracket-reamed-and-tapped.nc", "fanuc", "bracket.yaml"),
@@ -43,6 +43,7 @@ const HONEST: [(&str, &str, &str); 10] = [
     ("bearing-grbl.gcode", "grbl", "bearing.yaml"),
     ("cover-mach3.tap", "mach3", "cover.yaml"),
     ("plate-no-comments.nc", "fanuc", "plate.yaml"),
+    ("strip-2c42.nc", "2c42-65", "strip.yaml"),
 ];
 
 #[test]

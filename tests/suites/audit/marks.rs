@@ -59,6 +59,12 @@ fn the_most_particular_word_of_the_scheme_holds() {
             6.5,
         ),
         (
+            "{points: 10, missing: {}, deduct: {wrong: 3}, consequences: 0.5, slip_at_most: 3.2}",
+            (3.0, DeductedBy::Severity, false),
+            (0.2, DeductedBy::Consequence, true),
+            6.8,
+        ),
+        (
             "{points: 10, missing: {}, deduct: {wrong: 3}, sections: {clamping: {wrong: 2}}}",
             (2.0, DeductedBy::Section, false),
             (0.0, DeductedBy::Consequence, false),

@@ -49,6 +49,7 @@ fn scheme(root: &Node, rules: &[&str], problems: &mut Problems) -> Option<Markin
     let pass = pass_node.and_then(|node| positive(node, problems));
     let deduct = fields.take(SchemeFile::deduct).map(|node| deductions(node, problems)).unwrap_or_default();
     let consequences = fields.take(SchemeFile::consequences).and_then(|node| positive(node, problems)).unwrap_or(0.0);
+    let slip_at_most = fields.take(SchemeFile::slip_at_most).and_then(|node| positive(node, problems));
     let sections = fields.take(SchemeFile::sections).map(|node| sections(node, problems)).unwrap_or_default();
     let named = fields.take(SchemeFile::rules).map(|node| by_rule(node, rules, problems)).unwrap_or_default();
     let missing = fields.take(SchemeFile::missing).map(|node| missing(node, problems));
@@ -60,7 +61,18 @@ fn scheme(root: &Node, rules: &[&str], problems: &mut Problems) -> Option<Markin
         let message = note!("planfile-nobody-passes-with-points", pass = pass, points = points);
         problems.error_help::<()>("bad-value", message, &node.place, note!("planfile-pass-at-most-points"));
     }
-    Some(MarkingScheme { name, points: points?, pass, deduct, consequences, sections, rules: named, missing, scope })
+    Some(MarkingScheme {
+        name,
+        points: points?,
+        pass,
+        deduct,
+        consequences,
+        slip_at_most,
+        sections,
+        rules: named,
+        missing,
+        scope,
+    })
 }
 
 /// Points: a number, not below nothing.

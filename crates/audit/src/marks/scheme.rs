@@ -30,6 +30,9 @@ forms! {
         /// Points off for what is only wrong because something else is: 0 unless said.
         #[schemars(range(min = 0))]
         pub consequences: Option<f64>,
+        /// The most that one slip costs, with all that follows from it.
+        #[schemars(range(min = 0))]
+        pub slip_at_most: Option<f64>,
         /// What is special about a section of the audit.
         pub sections: Option<Sections>,
         /// Points off by the id of the rule or check, as findings name it in JSON: a number is for whatever is more than a note.

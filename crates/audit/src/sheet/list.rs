@@ -82,6 +82,11 @@ pub(super) fn read(
         .map(|(name, _)| scalar(name, &place))
         .collect();
     let mut unsaid = None;
+    // What has no ending is the name of the part and no file.
+    let is_named = |(column, node): &(Column, Node)| {
+        column.key == "part" && node.text().is_some_and(|text| !text.contains(['.', '/', '\\']))
+    };
+    said.retain(|own| !is_named(own));
     if part.is_none() && !said.iter().any(|(column, _)| column.key == "part") {
         let has = |key: &str| said.iter().any(|(column, _)| column.of == Of::Part && column.key == key);
         unsaid = Some(Unsaid { material: !has("material"), machine: !has("machine") });
