@@ -5,8 +5,9 @@ use crate::document::{Block, Column, Document, Inlines, Item, Keep};
 use crate::note::{Figure, IntoFigure};
 use technolog_turning::jobs::{Body, JobTool, Work};
 use technolog_turning::operation::ground::Ground;
-use technolog_turning::operation::setting::{DiameterLimits, SetSize, SetThread, SetTool, Setting, Stand};
+use technolog_turning::operation::setting::{SetSize, SetThread, SetTool, Setting, Stand};
 use technolog_turning::operation::{SizeOf, Sized};
+use technolog_turning::workpiece::ThreadLimits;
 use technolog_words::say;
 
 use super::Lang;
@@ -133,17 +134,17 @@ fn thread_columns(lang: Lang) -> [Column; 7] {
 }
 
 fn thread_row(thread: &SetThread, lang: Lang) -> Vec<Cell> {
-    let limits = |limits: Option<DiameterLimits>| {
-        limits.map_or_else(Cell::empty, |one| Cell::Range(one.least_mm.to_mm(), one.most_mm.to_mm(), 3))
+    let limits = |limits: &Option<ThreadLimits>| {
+        limits.as_ref().map_or_else(Cell::empty, |one| Cell::Range(one.least.to_mm(), one.most.to_mm(), 3))
     };
     vec![
         thread.set_up.to_string().into(),
         lang.figure(&(&thread.surface).into_figure()).into(),
         thread.thread.as_str().into(),
-        limits(thread.pitch_diameter),
-        limits(thread.crests),
+        limits(&thread.pitch_diameter),
+        limits(&thread.crests),
         thread.wire_mm.map_or_else(Cell::empty, |wire| Cell::Figure(wire.to_mm(), 3)),
-        limits(thread.over_wires),
+        limits(&thread.over_wires),
     ]
 }
 

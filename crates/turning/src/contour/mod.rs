@@ -6,7 +6,6 @@
 pub mod field;
 pub mod piece;
 pub mod resized;
-pub mod stretches;
 pub mod surface;
 
 use serde::Serialize;
@@ -18,7 +17,6 @@ pub use field::Field;
 use piece::both;
 pub use piece::{Curve, Piece, Turn};
 pub use resized::{Resized, Slopes, resized};
-pub use stretches::Stretches;
 pub use surface::{Profile, Surface, SurfaceKind, SurfaceName};
 
 /// A chain of pieces: each begins where the one before it ends.
@@ -41,6 +39,16 @@ impl Contour {
     pub fn split_at_face(&self) -> (&[Piece], &[Piece]) {
         let faces = self.pieces.iter().take_while(|piece| piece.is_face() && piece.to.radius > piece.from.radius);
         self.pieces.split_at(faces.count())
+    }
+
+    /// With the face of its end, from a radius outwards, where it begins with none.
+    #[must_use]
+    pub fn with_face(mut self, within: Half) -> Self {
+        let begins = self.pieces.first().filter(|first| !first.is_face() && first.from.radius > within);
+        if let Some(start) = begins.map(|first| first.from) {
+            self.pieces.insert(0, Piece::line(Point { radius: within, z: start.z }, start));
+        }
+        self
     }
 
     /// Where it begins, at the free end.

@@ -49,7 +49,7 @@ impl Edges {
     pub fn shades(&self, bits: &[Bit], solid: impl Fn(&Bit) -> bool) -> Vec<(Option<Shade>, bool)> {
         let keys: Vec<Vec<Point>> =
             bits.iter().map(|bit| if solid(bit) { self.keys(bit.piece) } else { Vec::new() }).collect();
-        let metal = Metal::new(&keys, |at| Bound {
+        let metal = Metal::new(keys, |at| Bound {
             behind: self.behind.dot(at.vector()),
             ahead: -self.ahead.dot(at.vector()),
             least_z: at.z,
@@ -69,7 +69,7 @@ impl Edges {
         let along = |at: Point| piece.from.to(at).length();
         let behind = |at: Point| at.z <= tip.z && self.behind.dot(tip.to(at)) > TRIFLE;
         let ahead = |at: Point| at.radius >= tip.radius && self.ahead.dot(at.to(tip)) > TRIFLE;
-        // Limits of branches are rounded differently from the exact comparison; half the tolerance is far more than
+        // Limits are rounded differently from the exact comparison; half the tolerance is far more than
         // that.
         let far_behind = self.behind.dot(tip.vector()) + TRIFLE / 2.0;
         let far_ahead = -self.ahead.dot(tip.vector()) + TRIFLE / 2.0;

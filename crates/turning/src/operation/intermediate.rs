@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::note::{Finding, Note, Severity};
 use crate::tables::turning::jobs::JobLimit;
 use crate::turning::allowances::{Over, equidistant_over};
-use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Stretches, Surface};
+use crate::turning::contour::{Contour, Curve, Piece, Profile, Side, Surface};
 use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
 use crate::turning::point::Point;
@@ -24,9 +24,7 @@ pub(super) fn left(
 ) -> Result<Option<Vec<Owned>>, KnowledgeError> {
     let whole = &stretch.main.contour;
     let main = &if bench.elsewhere.is_empty() { whole.clone() } else { parted(whole, &stretch.profile, bench) };
-    let along = along(&stretch.profile);
-    let surfaces: Vec<Option<usize>> =
-        main.pieces.iter().map(|piece| surface_of(piece, &stretch.profile, &along)).collect();
+    let surfaces: Vec<Option<usize>> = main.pieces.iter().map(|piece| surface_of(piece, &stretch.profile)).collect();
     let later = |surface: &Option<usize>| {
         let surface = surface.and_then(|index| stretch.profile.surfaces.get(index));
         surface.and_then(|surface| bench.later(&surface.name)).unwrap_or(Half::ZERO)
@@ -189,7 +187,7 @@ fn parted(contour: &Contour, profile: &Profile, bench: &Bench<'_, '_>) -> Contou
 
 /// The index of the surface of a piece of the main contour: the first one that touches it and has a piece on the same
 /// line or circle.
-fn surface_of(piece: &Piece, profile: &Profile, along: &Stretches) -> Option<usize> {
+fn surface_of(piece: &Piece, profile: &Profile) -> Option<usize> {
     let lies_on = |other: &Piece| touches(piece, other) && same_carrier(piece, other);
     // At the common end of two surfaces on one line both touch it: the one over the middle of the piece comes first.
     let over_middle = |other: &Piece| {
@@ -197,23 +195,9 @@ fn surface_of(piece: &Piece, profile: &Profile, along: &Stretches) -> Option<usi
         let middle = Half::new((piece.from.z.halves() + piece.to.z.halves()) / 2);
         least <= middle && middle <= most && lies_on(other)
     };
-    let near: Vec<usize> = along.touching(piece.from.z.min(piece.to.z), piece.from.z.max(piece.to.z)).collect();
-    let of = |test: &dyn Fn(&Piece) -> bool| {
-        let has = |index: &usize| profile.surfaces.get(*index).is_some_and(|one| one.pieces.iter().any(test));
-        near.iter().copied().find(has)
-    };
+    let of = |test: &dyn Fn(&Piece) -> bool| profile.surfaces.iter().position(|one| one.pieces.iter().any(test));
     let shares = |other: &Piece| overlaps(piece, other) && lies_on(other);
     of(&over_middle).or_else(|| of(&shares)).or_else(|| of(&lies_on))
-}
-
-/// The ranges of the surfaces of a profile, by the ends of their pieces.
-fn along(profile: &Profile) -> Stretches {
-    let ends = |surface: &Surface| {
-        let ends = surface.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
-        let (least, most) = (ends.clone().min(), ends.max());
-        (least.unwrap_or_default(), most.unwrap_or_default())
-    };
-    Stretches::new(&profile.surfaces.iter().map(ends).collect::<Vec<_>>())
 }
 
 /// Whether two pieces share more than an end, along the axis or across it.

@@ -9,24 +9,24 @@ use crate::turning::allowances::areas::{Areas, areas, between};
 use crate::turning::allowances::equidistant;
 use crate::turning::allowances::finishing::{Allowance, Errors, Method, allowance, finishing};
 use crate::turning::allowances::surfaces::{Place, on};
-use crate::turning::contour::{Contour, Curve, Piece, Side, Surface, SurfaceKind};
+use crate::turning::contour::{Contour, Curve, Piece, Side, SurfaceKind};
 use crate::turning::jobs::UNKNOWN_EDGE;
 use crate::turning::jobs::limits::Limits;
 use crate::turning::length::Half;
-use crate::turning::nose::Nose;
 use crate::turning::point::Point;
 use crate::turning::shaft::Holding;
 use crate::turning::tooling::TurningTool;
-use crate::turning::workpiece::{Allowances, Workpiece};
+use crate::turning::workpiece::Allowances;
 use crate::turning::zones::fit::reaches;
 use crate::turning::zones::{SetUp, TurnedSide};
 use crate::units::Micrometres;
 
 use super::Stage;
-use super::drill::{self, Drilled};
+use super::beyond::{ground_behind, into_hole, led_on, longer, off_the_part, over_low_shoulder, past_parting, run_out};
+use super::drill::Drilled;
 use super::finishing::needs;
 use super::intermediate::left;
-use super::opened;
+use super::side_stock::{SideStock, far_face, standing};
 use super::thin;
 use super::tools::{self, Bench};
 
@@ -235,19 +235,6 @@ fn is_bottom(last: &Piece) -> bool {
     last.is_face() && last.to.radius < last.from.radius
 }
 
-/// The smallest hole that a bar of the catalog enters which reaches so deep, or any bar where none does; none if one enters
-/// every hole, or if there is none.
-fn least_bar(deep: Half, bench: &Bench<'_, '_>) -> Result<Option<Micrometres>, KnowledgeError> {
-    let bars = tools::candidates(Side::Inner, Stage::Roughing, bench)?;
-    let bars: Vec<_> =
-        bars.iter().map(|bar| tools::angles(bar, bench.knowledge)).collect::<Result<_, KnowledgeError>>()?;
-    let least = |reaching: bool| {
-        let bars = bars.iter().filter(|bar| !reaching || bar.reach.is_none_or(|reach| reach >= deep));
-        bars.map(|bar| bar.least_bore.unwrap_or_default()).min()
-    };
-    Ok(least(true).or_else(|| least(false)))
-}
-
 /// The most that a bar takes off the bottom of a bore, or off a shoulder in it, as it faces it to its inner end; none if every bar would
 /// touch the wall on the other side, or where the edge of each is longer than a shoulder. Towards the axis the secondary edge cuts, which rises by φ1 to its end, where the bar begins.
 fn faced_by_bar(
@@ -276,138 +263,6 @@ fn faced_by_bar(
         Half::from(share * edge * libm::sin(bar.trail_angle.to_f64().to_radians()))
     };
     Ok(bars.iter().map(rise).min())
-}
-
-/// The overrun at the end of a set-up's range: the round nose of the tool must leave no metal that the other set-up does not
-/// reach. In the first set-up it is at the same radius, over a falling contour or into the stock beyond.
-///
-/// # Errors
-/// The knowledge base lacks the table of motions.
-pub(super) fn run_out(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
-    let ends_open = left.end().is_some_and(|end| end.radius > Half::ZERO);
-    let [approach, _] = bench.approach_and_retract()?;
-    Ok(if ends_open { approach } else { Half::ZERO })
-}
-
-/// How far the outside goes on behind its end where the part is parted off there and the next set-up turns some of it: past the
-/// blade's face by the roundest nose, whose round would stand in the way of that set-up.
-fn past_parting(left: &Contour, bench: &Bench<'_, '_>) -> Result<Half, KnowledgeError> {
-    let end = left.end().map(|end| end.z).filter(|end| *end < bench.workpiece.length());
-    let (Some(end), Some(face), Side::Outer) = (end, bench.parted, left.side) else { return Ok(Half::ZERO) };
-    let tools = tools::candidates(Side::Outer, Stage::Finishing, bench)?;
-    let nose = tools.iter().map(|tool| tools::nose(tool).radius).max().unwrap_or(Half::ZERO);
-    Ok(face - end + nose)
-}
-
-/// How far a contour rises at its end along the axis, in its own lengths; none where it ends with a face or a fall.
-/// In the second set-up a chamfer or a rounding goes on into the air over the cylinder that was made before, and a cylinder into
-/// the air over a fall, or the round nose leaves metal at its end.
-fn slope_at_end(left: &Contour) -> Option<f64> {
-    let last = left.pieces.last().filter(|_| left.side == Side::Outer)?;
-    let along = last.direction_at_end();
-    (along.z > LEAST_RUN && along.radius >= -1e-9).then(|| along.radius.max(0.0) / along.z)
-}
-
-/// A contour of the second set-up led on behind its end, where the round nose would leave metal: straight along its slope, over what
-/// the first set-up made, or along that, where it rises from there; and over the cylinder behind a thread, whose own is turned
-/// smaller. None elsewhere.
-fn led_on(left: &Contour, threaded: bool, by: Half, bench: &Bench<'_, '_>) -> Option<Contour> {
-    let end = left.end().filter(|_| by > Half::ZERO)?;
-    let slope = slope_at_end(left)?;
-    let part = bench.workpiece.outer.contour().turned_over(bench.workpiece.length());
-    let beyond = super::clip::between(&part, end.z, end.z + by);
-    let over = |point: &Point| end.radius + Half::from((point.z - end.z).to_mm() * slope) >= point.radius;
-    if beyond.pieces.iter().flat_map(|piece| piece.extremes()).all(|point| over(&point)) {
-        // A cylinder that goes on in the same radius is made already.
-        let flush = left.pieces.iter().chain(beyond.pieces.first()).rev().take(2).all(|piece| piece.is_cylinder());
-        return (!flush || threaded && bench.elsewhere.is_empty()).then(|| leading_on(left.clone(), by, slope));
-    }
-    let rises = |piece: &Piece| !piece.is_face() && piece.to.radius >= piece.from.radius;
-    let follows = beyond.start() == Some(end) && beyond.pieces.iter().all(rises);
-    // An allowance for another machine stands there.
-    (follows && bench.elsewhere.is_empty()).then(|| {
-        let pieces = left.pieces.iter().chain(&beyond.pieces).copied().collect();
-        Contour { side: left.side, pieces }
-    })
-}
-
-/// A bore that narrows towards the hole that the set-up before has opened, led on into its air for the roundest nose of a bar.
-fn into_hole(left: &Contour, bench: &Bench<'_, '_>) -> Result<Option<Contour>, KnowledgeError> {
-    let bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
-    let roundest = bars.iter().map(tools::nose).max_by_key(|nose| nose.radius);
-    let hole = |nose: Nose| {
-        let end = left.end().filter(|end| is_bored_behind(*end, nose.radius + nose.radius, bench));
-        bench.opened.max(end.map_or(Micrometres::ZERO, |end| end.radius.diameter()))
-    };
-    Ok(roundest.and_then(|nose| opened::into_hole(left, hole(nose), nose)))
-}
-
-/// Whether the set-up before has bored behind the end of a contour of the second one, as far and at least as wide.
-fn is_bored_behind(end: Point, by: Half, bench: &Bench<'_, '_>) -> bool {
-    let Some(inner) = &bench.workpiece.inner else { return false };
-    let bored = inner.contour().turned_over(bench.workpiece.length());
-    let beyond = super::clip::between(&bored, end.z, end.z + by);
-    let reaches = beyond.end().is_some_and(|last| last.z == end.z + by);
-    reaches && beyond.pieces.iter().all(|piece| piece.radii().0 >= end.radius)
-}
-
-/// A bore that ends with a shoulder lower than the roundest nose of a bar, led on into what the set-up before has bored behind it, so
-/// that the nose rolls over the edge. None where the shoulder is higher, or nothing is bored behind it.
-fn over_low_shoulder(left: &Contour, bench: &Bench<'_, '_>) -> Result<Option<Contour>, KnowledgeError> {
-    let bars = tools::candidates(Side::Inner, Stage::Finishing, bench)?;
-    let nose = bars.iter().map(|bar| tools::nose(bar).radius).max().unwrap_or(Half::ZERO);
-    let Some(last) = left.pieces.last() else { return Ok(None) };
-    let (by, height) = (nose + nose, last.from.radius - last.to.radius);
-    Ok((height < nose && is_bored_behind(last.to, by, bench)).then(|| longer(left.clone(), by)))
-}
-
-/// A contour that rises more steeply at its end, nearly as a wall, is not led on.
-const LEAST_RUN: f64 = 0.2;
-
-/// A contour led on along a slope at its end.
-pub(super) fn leading_on(mut contour: Contour, by: Half, slope: f64) -> Contour {
-    let Some(end) = contour.end() else { return contour };
-    if slope == 0.0 {
-        return longer(contour, by);
-    }
-    let radius = end.radius + Half::from(by.to_mm() * slope);
-    contour.pieces.push(Piece::line(end, Point { radius, z: end.z + by }));
-    contour
-}
-
-/// The allowance that another machine finishes on the surface behind the end of a contour of the first set-up; zero without one.
-fn ground_behind(left: &Contour, bench: &Bench<'_, '_>) -> Half {
-    let part = bench.workpiece.profile(left.side);
-    let end = left.end();
-    let begins =
-        |surface: &&Surface| surface.pieces.first().is_some_and(|first| Some(first.from) == end && !first.is_face());
-    let behind = part.and_then(|part| part.surfaces.iter().find(begins));
-    behind.and_then(|surface| bench.later(&surface.name)).unwrap_or(Half::ZERO)
-}
-
-/// A contour that steps away from the part by so much at its end.
-fn off_the_part(mut contour: Contour, by: Half) -> Contour {
-    if let Some(end) = contour.end().filter(|_| by > Half::ZERO) {
-        let to = Point { radius: end.radius.off(by, contour.side), z: end.z };
-        match contour.pieces.last_mut().filter(|last| last.is_face()) {
-            Some(last) => last.to = to,
-            None => contour.pieces.push(Piece::line(end, to)),
-        }
-    }
-    contour
-}
-
-/// A contour extended along the axis at its end.
-fn longer(mut contour: Contour, by: Half) -> Contour {
-    let Some(last) = contour.pieces.last_mut().filter(|_| by > Half::ZERO) else { return contour };
-    let end = Point { radius: last.to.radius, z: last.to.z + by };
-    if last.is_cylinder() {
-        last.to = end;
-    } else {
-        let on = Piece::line(last.to, end);
-        contour.pieces.push(on);
-    }
-    contour
 }
 
 /// A rough bore from the rough face on: the allowance of the face is before the beginning of the bore.
@@ -468,107 +323,4 @@ fn method(allowances: &Allowances) -> Method {
             Method::Stated { on_diameter: Some(*on_diameter), on_face: Some(*on_face) }
         }
     }
-}
-
-/// The stock over a rough contour in the coordinates of the set-up.
-struct SideStock {
-    /// The blank, or the hole drilled into it.
-    blank: Contour,
-    /// The rough contour within the range of the blank.
-    rough: Contour,
-    drilled_first: Option<Drilled>,
-}
-
-fn standing(
-    rough: &Contour,
-    face_is_made: bool,
-    axial: Option<Micrometres>,
-    set_up: &SetUp,
-    bench: &Bench<'_, '_>,
-    findings: &mut Vec<Finding>,
-) -> Result<Option<SideStock>, KnowledgeError> {
-    let workpiece = bench.workpiece;
-    let (Some(start), Some(end)) = (rough.start(), rough.end()) else { return Ok(None) };
-    let seen = |contour: &Contour| set_up.sees(contour, workpiece.length());
-    let reach = |contour: &Contour| {
-        let from = contour.start().map_or(start.z, |first| first.z).min(start.z);
-        let mut clipped = super::clip::between(contour, from, end.z);
-        // The face of the blank's free end.
-        if let Some(first) = contour.pieces.first().filter(|first| first.is_face())
-            && clipped.pieces.first() != Some(first)
-        {
-            clipped.pieces.insert(0, *first);
-        }
-        clipped
-    };
-    if rough.side == Side::Outer {
-        let outer = seen(&workpiece.blank.outer);
-        let outer = if set_up.turned_over { faced(outer, workpiece.blank.inner.as_ref()) } else { outer };
-        let blank = reach(&outer);
-        let blank = match &bench.turned {
-            Some(turned) => super::turned_before::standing(blank, turned),
-            None => blank,
-        };
-        let rough = behind_blank(rough, &blank, face_is_made, findings);
-        return Ok(Some(SideStock { blank, rough, drilled_first: None }));
-    }
-    let (raw, there) = (workpiece.blank.inner.as_ref(), bench.raw_bore());
-    let least_bar = least_bar(end.z, bench)?;
-    let enters = |hole: Micrometres| least_bar.is_none_or(|least| least <= hole);
-    if axial.is_none() && bench.opened > there && enters(bench.opened) {
-        let blank = opened::wall(bench.opened, start.z, end.z);
-        return Ok(Some(SideStock { blank, rough: rough.clone(), drilled_first: None }));
-    }
-    if let Some(inner) = raw.filter(|_| axial.is_none_or(|axial| axial <= there))
-        && enters(there)
-    {
-        return Ok(Some(SideStock { blank: reach(&seen(inner)), rough: rough.clone(), drilled_first: None }));
-    }
-    let there = axial.unwrap_or_default().max(there).max(bench.opened);
-    let drilled = drill::before_boring(rough, there, least_bar, bench.knowledge, findings)?;
-    Ok(drilled.map(|(drilled, rough)| SideStock {
-        blank: drilled.contour(&rough),
-        rough,
-        drilled_first: Some(drilled),
-    }))
-}
-
-/// The rough contour from the beginning of the blank on. If the stock on the face is less than its allowance, there is
-/// a finding, unless the face is made before.
-fn behind_blank(rough: &Contour, blank: &Contour, face_is_made: bool, findings: &mut Vec<Finding>) -> Contour {
-    let (Some(start), Some(raw), Some(end)) = (rough.start(), blank.start(), rough.end()) else { return rough.clone() };
-    if start.z >= raw.z {
-        return rough.clone();
-    }
-    let note = Note::new("face-stock-thin").with("lack", raw.z - start.z);
-    findings.extend((!face_is_made).then(|| Finding::of_part(Severity::Doubtful, note)));
-    let mut clipped = super::clip::between(rough, raw.z, end.z);
-    if let Some(first) = clipped.start() {
-        let face = Piece::line(Point { radius: start.radius, z: raw.z }, first);
-        if !face.is_nothing() && first.z == raw.z {
-            clipped.pieces.insert(0, face);
-        }
-    }
-    clipped
-}
-
-/// The far face of the part up to the beginning of its contour; it is the free face of a part that is turned over. None
-/// if the contour has a face itself, and in the first set-up.
-fn far_face(begins: Point, set_up: &SetUp, side: Side, workpiece: &Workpiece) -> Option<Piece> {
-    let bore = workpiece.inner.as_ref().and_then(|inner| inner.contour().end());
-    let within = bore.filter(|end| end.z == workpiece.length()).map_or(Half::ZERO, |end| end.radius);
-    let face = Piece::line(Point { radius: within, z: begins.z }, begins);
-    (set_up.turned_over && side == Side::Outer && begins.radius > within).then_some(face)
-}
-
-/// A blank that begins with the face of its end. The far face of a bar is not drawn, so it is added when the bar is
-/// turned over.
-fn faced(mut blank: Contour, inner: Option<&Contour>) -> Contour {
-    if let Some(start) = blank.start().filter(|_| blank.pieces.first().is_some_and(|first| !first.is_face())) {
-        let within = inner.and_then(|inner| inner.end()).map_or(Half::ZERO, |end| end.radius);
-        if within < start.radius {
-            blank.pieces.insert(0, Piece::line(Point { radius: within, z: start.z }, start));
-        }
-    }
-    blank
 }

@@ -73,7 +73,7 @@ fn stands_on(job: &Job, other: &Job) -> bool {
 #[cfg(test)]
 #[allow(clippy::disallowed_methods, reason = "tests look at what notes are told")]
 mod tests {
-    use super::super::plan_without;
+    use super::super::plan::plan_without;
     use super::*;
     use crate::shipped;
     use crate::tables::turning::jobs::JobLimits;

@@ -8,7 +8,7 @@ use crate::turning::nose::Nose;
 use crate::turning::point::Point;
 use crate::units::Micrometres;
 
-use super::layers::leading_on;
+use super::beyond::leading_on;
 use super::{SetUpWork, SideWork};
 
 /// The diameter of the hole that the set-ups before have made as far as the far face of the part; zero where there is none.

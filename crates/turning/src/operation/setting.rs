@@ -69,38 +69,23 @@ pub struct SetThread {
     pub side: Side,
     /// The limits of its pitch diameter, mm, between which the flanks end in the middle; none where the tables have none of its
     /// class.
-    pub pitch_diameter: Option<DiameterLimits>,
+    pub pitch_diameter: Option<ThreadLimits>,
     /// The limits of its crests, outside, mm.
-    pub crests: Option<DiameterLimits>,
+    pub crests: Option<ThreadLimits>,
     /// The best wire: it touches the flanks at the pitch diameter, P/√3, mm; outside only.
     pub wire_mm: Option<Micrometres>,
     /// The limits over three of those wires, mm.
-    pub over_wires: Option<DiameterLimits>,
+    pub over_wires: Option<ThreadLimits>,
     /// Which cycle of the control cuts it, if cycles are requested; or why single passes do.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cycle: Option<Note>,
 }
 
-/// The limits of a diameter, mm.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct DiameterLimits {
-    /// The least.
-    pub least_mm: Micrometres,
-    /// The largest.
-    pub most_mm: Micrometres,
-}
-
-impl DiameterLimits {
-    fn of(limits: &ThreadLimits) -> Self {
-        Self { least_mm: limits.least, most_mm: limits.most }
-    }
-
-    /// Over three wires of a diameter: M = d2 + 3·dw − √3/2·P, for a profile of 60°. The lead of the thread, which adds less than
-    /// a micrometre to common threads, is left out.
-    fn over_wires(self, wire: Micrometres, pitch: Micrometres) -> Self {
-        let more = Micrometres::from_mm_rounded(3.0 * wire.to_mm() - TRIANGLE * pitch.to_mm());
-        Self { least_mm: self.least_mm + more, most_mm: self.most_mm + more }
-    }
+/// The limits of a pitch diameter over three wires: M = d2 + 3·dw − √3/2·P, for a profile of 60°. The lead of the thread, which adds
+/// less than a micrometre to common threads, is left out.
+fn over_wires(limits: &ThreadLimits, wire: Micrometres, pitch: Micrometres) -> ThreadLimits {
+    let more = Micrometres::from_mm_rounded(3.0 * wire.to_mm() - TRIANGLE * pitch.to_mm());
+    ThreadLimits { least: limits.least + more, most: limits.most + more, ..limits.clone() }
 }
 
 /// The height of the triangle of the profile over the pitch, H/P = √3/2 (ISO 68-1).
@@ -228,7 +213,6 @@ fn threads<'a>(
     cut.filter_map(|(job, surface)| {
         let side = job.side;
         let thread = part.thread_on(surface)?;
-        let pitch_diameter = thread.flanks.as_ref().map(DiameterLimits::of);
         let best = || Micrometres::from_mm_rounded(thread.pitch.to_mm() * 2.0 / 3.0 * TRIANGLE);
         let wire_mm = (side == Side::Outer).then(best);
         Some(SetThread {
@@ -236,10 +220,12 @@ fn threads<'a>(
             surface: surface.clone(),
             thread: thread.written.clone(),
             side,
-            pitch_diameter,
-            crests: thread.crests.as_ref().map(DiameterLimits::of),
+            pitch_diameter: thread.flanks.clone(),
+            crests: thread.crests.clone(),
             wire_mm,
-            over_wires: wire_mm.zip(pitch_diameter).map(|(wire, limits)| limits.over_wires(wire, thread.pitch)),
+            over_wires: wire_mm
+                .zip(thread.flanks.as_ref())
+                .map(|(wire, limits)| over_wires(limits, wire, thread.pitch)),
             cycle: job.thread.as_ref().map(|cut| match control.thread_cycle(cut, side) {
                 Ok(cycle) => Note::new("thread-cycled").with("cycle", cycle),
                 Err(why) => Note::new("thread-not-cycled").with("why", why.note()),

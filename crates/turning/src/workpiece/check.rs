@@ -7,7 +7,7 @@ use crate::turning::point::Point;
 use crate::turning::reading::{Reader, mistake};
 
 use super::Blank;
-use super::cross::{Chain, along, crossing, flat};
+use super::cross::{Chain, crossing, flat};
 use super::walk::Walked;
 
 /// A point within a micrometre of a limit counts as on it: points of arcs are rounded.
@@ -83,13 +83,9 @@ pub(super) fn walls(outer: &Walked, inner: &Walked, reader: &mut Reader<'_>) {
         .iter()
         .flat_map(|(surface, _)| surface.pieces.iter().map(move |piece| (surface, Chain::of(*piece))))
         .collect();
-    let contour = along(outers.iter().map(|(_, chain)| chain));
     for (surface, place) in &inner.surfaces {
         let chains = surface.pieces.iter().map(|piece| Chain::of(*piece));
-        let meets = |chain: &Chain| {
-            let near = outers.get(chain.touching(&contour)).unwrap_or_default();
-            near.iter().find(|(_, other)| chain.meets(other)).map(|(other, _)| *other)
-        };
+        let meets = |chain: &Chain| outers.iter().find(|(_, other)| chain.meets(other)).map(|(other, _)| *other);
         if let Some(other) = chains.into_iter().find_map(|chain| meets(&chain)) {
             reader.fault::<()>(mistake!("no-wall", surface = surface.name, other = other.name), place);
             return;

@@ -1,8 +1,6 @@
 //! Whether contours meet. Arcs are replaced by chains of chords within half a micrometre of them.
 
-use std::ops::Range;
-
-use crate::turning::contour::{Curve, Piece, Stretches};
+use crate::turning::contour::{Curve, Piece};
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
 
@@ -90,20 +88,9 @@ impl Chain {
         })
     }
 
-    /// The indices of the chains along a contour that may meet this one, in their order.
-    pub fn touching(&self, contour: &Stretches) -> Range<usize> {
-        self.room.map_or(0..0, |(low, high)| contour.touching(low.z, high.z))
-    }
-
     fn ends(&self) -> [Option<Point>; 2] {
         [self.points.first().copied(), self.points.last().copied()]
     }
-}
-
-/// The ranges of the chains along a contour.
-pub(super) fn along<'c>(chains: impl IntoIterator<Item = &'c Chain>) -> Stretches {
-    let stretch = |chain: &Chain| chain.room.map_or_else(Default::default, |(low, high)| (low.z, high.z));
-    Stretches::new(&chains.into_iter().map(stretch).collect::<Vec<_>>())
 }
 
 /// Twice the area of a triangle, positive if the third point is to the left.
@@ -136,10 +123,9 @@ fn cross(one: (Point, Point), two: (Point, Point)) -> bool {
 /// The indices of the first two pieces that meet other than at common ends.
 pub(super) fn crossing(pieces: &[Piece]) -> Option<(usize, usize)> {
     let chains: Vec<Chain> = pieces.iter().map(|piece| Chain::of(*piece)).collect();
-    let along = along(&chains);
     chains.iter().enumerate().find_map(|(one, chain)| {
-        let near = chain.touching(&along).take_while(|two| *two < one);
-        near.map(|two| (two, one)).find(|(two, _)| chains.get(*two).is_some_and(|other| other.meets(chain)))
+        let two = chains.iter().take(one).position(|other| other.meets(chain))?;
+        Some((two, one))
     })
 }
 

@@ -1,6 +1,8 @@
 //! The limits of a metric thread: of the pitch diameter, which its flanks make, and outside of the crests too (ISO 965-1,
 //! tables `thread-deviations` and `thread-pitch-tolerance`).
 
+use serde::Serialize;
+
 use crate::knowledge::Knowledge;
 use crate::knowledge::table::RowRef;
 use crate::tables::standards::{ThreadDeviations, ThreadPitchTolerance};
@@ -13,15 +15,19 @@ use super::Thread;
 use super::thread::ThreadSize;
 
 /// The limits that a tolerance class gives a diameter of a thread.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ThreadLimits {
     /// The class, such as `6g`.
+    #[serde(skip)]
     pub class: String,
     /// The least diameter.
+    #[serde(rename = "least_mm")]
     pub least: Micrometres,
     /// The largest diameter.
+    #[serde(rename = "most_mm")]
     pub most: Micrometres,
     /// From the basic profile to the nearer limit.
+    #[serde(skip)]
     pub deviation: Micrometres,
 }
 

@@ -70,7 +70,9 @@ pub fn prove_set_up(
     });
     let (mut stock, over) = left.last().unwrap_or_else(|| {
         let inner = workpiece.blank.inner.as_ref();
-        let outer = chain(&whole_blank(&workpiece.blank.outer, inner));
+        let within = inner.and_then(Contour::start).map_or(Half::ZERO, |start| start.radius);
+        // A bar that is drawn only by its cylinder gets its face.
+        let outer = chain(&workpiece.blank.outer.clone().with_face(within));
         (Stock::between(&outer, &inner.map(chain).unwrap_or_default()), false)
     });
     if set_up.set_up.turned_over != over {
@@ -301,16 +303,6 @@ fn is_outside(profile: &Profile, at: At) -> bool {
 
 /// How far along a slope of 15° goes on through an allowance, in allowances.
 const BESIDE: f64 = 3.8;
-
-/// The blank from the axis or its bore at the free end; a bar that is drawn only by its cylinder gets its face.
-fn whole_blank(outer: &Contour, inner: Option<&Contour>) -> Contour {
-    let mut whole = outer.clone();
-    let within = inner.and_then(Contour::start).map_or(Half::ZERO, |start| start.radius);
-    if let Some(start) = outer.start().filter(|start| start.radius > within) {
-        whole.pieces.insert(0, Piece::line(Point { radius: within, z: start.z }, start));
-    }
-    whole
-}
 
 fn at(point: Point) -> At {
     At::new(Mm(-point.z.to_mm()), Mm(point.radius.to_mm()))
