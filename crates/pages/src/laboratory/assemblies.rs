@@ -2,7 +2,7 @@
 
 use crate::plan::{Plan, ToolPlan};
 
-use super::super::canvas::{Anchor, Canvas, Pen};
+use super::super::canvas::{Anchor, Canvas, Pen, THIN, width_of};
 use super::super::sheet::mm;
 use super::super::words::say;
 use super::Lang;
@@ -15,7 +15,6 @@ const ROWS: usize = 8;
 /// The widest that a diameter is drawn.
 const WIDEST: f64 = 44.0;
 const INK: Pen = Pen::solid("#333", 1.2);
-const THIN: Pen = Pen::solid("#888", 0.8);
 
 /// Sheets of all assemblies.
 pub(super) fn sheets(plan: &Plan, lang: Lang) -> Vec<String> {
@@ -53,11 +52,14 @@ fn one(canvas: &mut Canvas, top: f64, tool: &ToolPlan, scale: f64, lang: Lang) {
     canvas.rectangle((joint, axis - half), (end, axis + half), "white", Some(INK));
     canvas.line(&[(nose - 18.0, axis), (end + 10.0, axis)], Pen::dashed("#999", 0.7));
     let texts = [
-        (nose, joint, 39.0, say!(lang, "lab-assembly-holder", length = holder)),
-        (joint, end, 39.0, say!(lang, "lab-assembly-overhang", length = tool.overhang_mm)),
-        (nose, end, 56.0, say!(lang, "lab-assembly-length", length = tool.length_mm)),
+        (nose, joint, 39.0, holder, say!(lang, "lab-assembly-holder", length = holder)),
+        (joint, end, 39.0, tool.overhang_mm, say!(lang, "lab-assembly-overhang", length = tool.overhang_mm)),
+        (nose, end, 56.0, tool.length_mm, say!(lang, "lab-assembly-length", length = tool.length_mm)),
     ];
-    for (from, to, down, text) in texts {
+    // A cutter with the taper of the machine has no holder.
+    for (from, to, down, length, text) in texts.into_iter().filter(|(from, to, ..)| from < to) {
+        // The figure alone where its name has no room; the caption names them in their order.
+        let text = if width_of(&text, 11.0) < to - from { text } else { mm(length, lang) };
         let y = axis + down;
         for x in [from, to] {
             canvas.line(&[(x, axis), (x, y + 3.0)], THIN);

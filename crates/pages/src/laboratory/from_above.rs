@@ -173,11 +173,13 @@ fn chain(part: &Part, along: fn(Point) -> Micrometres) -> Option<Vec<(Micrometre
     Some(links.into_iter().collect()).filter(|links: &Vec<_>| links.len() > 1)
 }
 
-/// Whether every link of a chain holds its figure; otherwise the coordinates stand in the table only.
+/// Whether every link of a chain is a size of a drawing and holds its figure; otherwise the coordinates stand in the table only.
 fn fits(chain: &[(Micrometres, Micrometres)], scale: f64, lang: Lang) -> bool {
     chain.windows(2).all(|pair| {
         let link = pair[1].0 - pair[0].0;
-        link.to_mm() * scale >= width_of(&mm(link, lang), SIZE) + 8.0
+        // Coordinates worked out from a circle are rounded: no drawing has such a size.
+        let is_drawn = link.micrometres() % 100 == 0;
+        is_drawn && link.to_mm() * scale >= width_of(&mm(link, lang), SIZE) + 8.0
     })
 }
 
