@@ -46,6 +46,7 @@ plan-step-slot = { $verb } slot { $size } ({ $hole }) to a width of { $width }
 plan-step-pocket = { $verb } pocket { $size } ({ $hole }) to a width of { $width }
 plan-pocket-size = { $width } × { $length } R{ $corner }
 plan-slot-size = { $width } × { $length }
+plan-open-slot-size = { $width } × { $length }, open
 plan-step-within = permitted Ø{ $smallest } to Ø{ $largest }
 plan-step-also = together with Ø{ $diameter }
 plan-step-passes = { $count } { $count ->

@@ -34,6 +34,7 @@ plan-step-slot = { $verb } паз { $size } ({ $hole }) до ширини { $wid
 plan-step-pocket = { $verb } кишеню { $size } ({ $hole }) до ширини { $width }
 plan-pocket-size = { $width } × { $length } R{ $corner }
 plan-slot-size = { $width } × { $length }
+plan-open-slot-size = { $width } × { $length }, відкритий
 plan-step-within = допускається від Ø{ $smallest } до Ø{ $largest }
 plan-step-also = одночасно Ø{ $diameter }
 plan-step-passes = { $count } { $count ->
