@@ -81,8 +81,12 @@ fn walls<'p>(part: &'p Part, shop: &Shop<'_>) -> Result<Vec<(&'p String, Fault)>
     let mut points: Vec<(Point, usize)> = Vec::new();
     for (index, hole) in part.holes.iter().enumerate() {
         points.extend(hole.at.iter().filter(|_| hole.slot.is_none()).map(|at| (*at, index)));
+        // Where a slot is open nothing is left between it and the edge.
+        let open = |end: &Point| {
+            hole.slot.is_some_and(|slot| hole.at.iter().any(|at| slot.outside(*at).any(|out| out == *end)))
+        };
         let ends = hole.ways().flat_map(|way| [(way.from, way.thinner), (way.to, way.thinner)]);
-        for (at, thinner) in ends {
+        for (at, thinner) in ends.filter(|(end, _)| !open(end)) {
             let (left, front) = (at.x - part.datum.left, at.y - part.datum.front);
             let nearest = left.min(front).min(part.blank.length - left).min(part.blank.width - front);
             let edge = nearest + thinner;

@@ -53,6 +53,18 @@ slots:
   - {name: K, centre: [0, 0], length: 60, width: 40H12, corner: 8, depth: 10, roughness: Ra 6.3, centre_tolerance: 0.4}
 ";
 
+/// Slots open at one edge, across the part and under an angle, blind and through, with and without a finishing way round.
+const OPEN: &str = "part: P
+material: steel-45
+blank: {kind: plate, length: 200, width: 120, thickness: 16}
+machine: gf2171
+fixture: {height: 60}
+slots:
+  - {name: A, from: [100, 0], to: [60, 0], open: from, width: 14H12, depth: 8, roughness: Ra 6.3, centre_tolerance: 0.4}
+  - {name: B, from: [-40, -60], to: [-40, 60], open: both, width: 20H12, depth: 6, roughness: Ra 6.3, centre_tolerance: 0.4}
+  - {name: C, from: [0, 0], to: [30, 60], open: to, width: 12H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.4}
+";
+
 fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/tmp/slots").join(name);
     let _ = fs::remove_dir_all(&folder);
@@ -71,7 +83,7 @@ fn text(bytes: &[u8]) -> String {
 #[test]
 fn every_control_cuts_slots_whole() {
     let folder = folder("controls");
-    for (part, control) in [SLOTS, POCKETS].into_iter().flat_map(|part| CONTROLS.map(|control| (part, control))) {
+    for (part, control) in [SLOTS, POCKETS, OPEN].into_iter().flat_map(|part| CONTROLS.map(|control| (part, control))) {
         fs::write(folder.join("part.yaml"), part).unwrap();
         // The program is read back and proven before it is shown.
         let made = technolog(&folder, &["program", "part.yaml", "--control", control, "--lang", "en", "-o", "p.nc"]);
@@ -155,7 +167,7 @@ fn a_spoilt_program_of_a_pocket_is_found_out() {
 #[test]
 fn a_plan_of_slots_and_pockets_of_our_own_has_no_mistake() {
     let folder = folder("own");
-    for part in [SLOTS, POCKETS] {
+    for part in [SLOTS, POCKETS, OPEN] {
         fs::write(folder.join("part.yaml"), part).unwrap();
         let made = technolog(&folder, &["plan", "part.yaml", "--format", "json", "-o", "plan.json"]);
         assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
@@ -226,4 +238,21 @@ fn a_slot_that_cannot_be_made_is_a_finding() {
         assert_eq!(plan.status.code(), Some(1), "{to}: {said}");
         assert!(said.contains("impossible: pocket K") && said.contains(words), "{to}: {said}");
     }
+}
+
+/// Where stops stand the file does not say: a mill that goes beyond an edge may meet them.
+#[test]
+fn an_open_slot_is_told_to_whoever_sets_the_stops() {
+    let folder = folder("open");
+    fs::write(folder.join("part.yaml"), OPEN).unwrap();
+    let plan = technolog(&folder, &["plan", "part.yaml", "--lang", "en"]);
+    let said = text(&plan.stdout).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(plan.status.code(), Some(0), "{said}");
+    assert!(
+        said.contains("doubtful: slot A: it runs out of the blank: the mill goes up to 14 mm beyond the edge"),
+        "{said}"
+    );
+    // As drawn, from the edge: 40 mm and half of the width.
+    assert!(said.contains("slot 14H12 × 47, open (A)") && said.contains("slot 20H12 × 120, open (B)"), "{said}");
+    assert!(!said.contains("nothing holds"), "{said}");
 }

@@ -104,9 +104,24 @@ pub(super) fn check_geometry(groups: &[Group], blank: &Blank, datum: &Datum, pro
     slots_apart(groups, problems);
 }
 
-/// Both ends of a slot and all corners of a pocket inside the blank.
+/// Both ends of a slot and all corners of a pocket inside the blank; of a slot that is open its closed end, or the middle of one that
+/// goes across the part.
 fn slot_inside(group: &Group, blank: &Blank, datum: &Datum, problems: &mut Problems) {
     let Some(width) = group.widest() else { return };
+    if let Some(slot) = group.slot.filter(|slot| slot.open.is_some()) {
+        for (at, place) in &group.points {
+            let far = slot.far(*at);
+            let middle = Point { x: (at.x + far.x).half(), y: (at.y + far.y).half() };
+            let end = slot.closed(*at).next();
+            if reaches_out(end.unwrap_or(middle), width.half(), blank, datum) {
+                let note = Note::new(if end.is_some() { "part-slot-inside-blank" } else { "part-slot-across-blank" });
+                let end = end.unwrap_or(middle);
+                let note = note.with("name", group.label()).with("width", width).with("x", end.x).with("y", end.y);
+                problems.error_help::<()>("outside-blank", note, place, extent(blank, datum));
+            }
+        }
+        return;
+    }
     let ends = group.ways().flat_map(|(way, place)| [way.from, way.to].map(|end| (end, way.thinner, place)));
     let mut out = ends.filter(|(end, thinner, _)| reaches_out(*end, width.half() - *thinner, blank, datum));
     if let Some((end, thinner, place)) = out.next() {

@@ -341,6 +341,7 @@ slots:
   - {name: S, from: [200, 100], to: [240, 100], width: 12H12, depth: 10, roughness: Ra 6.3, centre_tolerance: 0.4}
   - {name: T, centre: [200, -100], length: 60, angle: 30, width: 14, through: true, roughness: Ra 12.5, centre_tolerance: 0.4}
   - {name: U, centre: [300, -60], length: 60, width: 40, corner: 8, depth: 10, roughness: Ra 12.5, centre_tolerance: 0.4}
+  - {name: V, from: [450, -100], to: [500, -100], open: to, width: 14, depth: 10, roughness: Ra 12.5, centre_tolerance: 0.4}
 ";
 
     fn root(path: &str) -> PathBuf {
@@ -399,7 +400,7 @@ slots:
     fn a_part_with_every_key_fits_the_schema_types_and_the_reader() {
         let part = super::super::read_part("full", FULL, &knowledge()).unwrap();
         assert_eq!(part.material, "steel-45");
-        assert_eq!(part.holes.iter().map(|hole| hole.at.len()).collect::<Vec<_>>(), [2, 3, 1, 4, 6, 1, 1, 1]);
+        assert_eq!(part.holes.iter().map(|hole| hole.at.len()).collect::<Vec<_>>(), [2, 3, 1, 4, 6, 1, 1, 1, 1]);
         serde_yaml::from_str::<PartFile>(FULL).unwrap();
         fn used<F: Form>() -> bool {
             F::KEYS.iter().all(|key| FULL.contains(&format!("{}:", key.name())))

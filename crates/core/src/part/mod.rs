@@ -37,7 +37,7 @@ pub use deviations::Deviations;
 pub use dimension::{Along, Base, Dimension, Side};
 pub use file::schema;
 pub use read::{read_part, read_part_node};
-pub use slot::{Slot, Way};
+pub use slot::{OpenEnds, Slot, Way};
 pub use standing::{Outline, Standing};
 pub use tolerance::{LimitsOf, ToleratedDiameter, tolerance_width};
 

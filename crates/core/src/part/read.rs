@@ -87,7 +87,7 @@ impl Reader<'_> {
             None => Some(Fixture::default()),
         };
         let mut groups = holes_node.map(|node| self.groups(node, blank.as_ref())).unwrap_or_default();
-        groups.extend(slots_node.map(|node| self.slots(node, blank.as_ref())).unwrap_or_default());
+        groups.extend(slots_node.map(|node| self.slots(node, blank.as_ref(), datum.as_ref())).unwrap_or_default());
         check::check_names(&groups, self.problems);
         if let (Some(blank), Some(datum)) = (&blank, &datum) {
             check::check_geometry(&groups, blank, datum, self.problems);

@@ -6,11 +6,11 @@ use crate::units::Micrometres;
 use technolog_note::note;
 
 use super::check::{BoreSpan, Centres, Group};
-use super::file::slot as form;
+use super::file::slot::{self as form, Open};
 use super::limits::LimitedCount;
 use super::read::Reader;
 use super::read_pattern::Turn;
-use super::{Blank, BlankHole, Bottom, Hole, Point, Slot};
+use super::{Blank, BlankHole, Bottom, Datum, Hole, OpenEnds, Point, Slot};
 
 /// How the file says where a slot runs.
 enum Run {
@@ -37,18 +37,72 @@ impl Run {
                 (turn.place(middle, -half, 0.0), turn.place(middle, half, 0.0))
             }
         };
-        (from != to).then(|| (from, Slot { x: to.x - from.x, y: to.y - from.y, corner }))
+        (from != to).then(|| (from, Slot { x: to.x - from.x, y: to.y - from.y, corner, open: None }))
     }
+}
+
+/// A slot with its open ends moved out of the blank by what `beyond` says of the way to an end; the first end is open then. None where
+/// it does not leave the blank there.
+fn opened(
+    at: Point,
+    slot: Slot,
+    open: Open,
+    beyond: impl Fn(Point, Point) -> Option<Micrometres>,
+) -> Option<(Point, Slot)> {
+    let far = slot.far(at);
+    let (first, other) = if matches!(open, Open::To) { (far, at) } else { (at, far) };
+    let out = beyond(other, first)?;
+    let far = match open {
+        Open::Both => Some(beyond(first, other)?),
+        Open::From | Open::To => None,
+    };
+    let moved = |from: Point, to: Point, out: Micrometres| {
+        let length = from.distance(to).to_mm();
+        let on = |from: Micrometres, to: Micrometres| {
+            Micrometres::from_mm_rounded(to.to_mm() + (to - from).to_mm() * out.to_mm() / length)
+        };
+        Point { x: on(from.x, to.x), y: on(from.y, to.y) }
+    };
+    let (begin, end) = (moved(other, first, out), far.map_or(other, |far| moved(first, other, far)));
+    let run = Slot { x: end.x - begin.x, y: end.y - begin.y, corner: None, open: Some(OpenEnds { first: out, far }) };
+    Some((begin, run))
+}
+
+/// How far beyond `to`, on the way from `from`, a circle of that radius stands beside the blank; none where `to` lies inside of it, or
+/// where the way leaves it at so flat an angle that the circle is still over it after eight of its radii.
+fn run_out(from: Point, to: Point, radius: Micrometres, blank: &Blank, datum: &Datum) -> Option<Micrometres> {
+    let [left, front] = [datum.left, datum.front].map(Micrometres::to_mm);
+    let (right, back) = (left + blank.length.to_mm(), front + blank.width.to_mm());
+    let length = from.distance(to).to_mm();
+    let (x, y, radius) = (to.x.to_mm(), to.y.to_mm(), radius.to_mm());
+    let (along_x, along_y) = ((to.x - from.x).to_mm() / length, (to.y - from.y).to_mm() / length);
+    if left < x && x < right && front < y && y < back {
+        return None;
+    }
+    let away = |on: f64| {
+        let (x, y) = (x + on * along_x, y + on * along_y);
+        libm::hypot((left - x).max(x - right).max(0.0), (front - y).max(y - back).max(0.0))
+    };
+    // The distance from a rectangle does not fall along a straight way out of it.
+    let (mut near, mut far) = (0.0, 8.0 * radius);
+    if away(far) < radius {
+        return None;
+    }
+    while far - near > 1e-6 {
+        let middle = (near + far) / 2.0;
+        if away(middle) < radius { near = middle } else { far = middle }
+    }
+    Some(Micrometres::from_mm_rounded(far))
 }
 
 impl Reader<'_> {
     /// The slots as groups of one hole each, which runs on.
-    pub(super) fn slots(&mut self, node: &Node, blank: Option<&Blank>) -> Vec<Group> {
+    pub(super) fn slots(&mut self, node: &Node, blank: Option<&Blank>, datum: Option<&Datum>) -> Vec<Group> {
         let items = self.problems.list(node).unwrap_or_default();
-        self.bounded(LimitedCount::Kinds, items).iter().filter_map(|item| self.slot(item, blank)).collect()
+        self.bounded(LimitedCount::Kinds, items).iter().filter_map(|item| self.slot(item, blank, datum)).collect()
     }
 
-    fn slot(&mut self, node: &Node, blank: Option<&Blank>) -> Option<Group> {
+    fn slot(&mut self, node: &Node, blank: Option<&Blank>, datum: Option<&Datum>) -> Option<Group> {
         let mut fields = self.problems.map(node)?;
         let place = fields.place;
         let name_node = fields.need(form::Slot::name, self.problems);
@@ -57,6 +111,8 @@ impl Reader<'_> {
         let width_node = fields.need(form::Slot::width, self.problems);
         let width = width_node.and_then(|node| self.diameter(node));
         let corner = self.corner(&mut fields, width.as_ref().map(|width| width.nominal));
+        let said_open = fields.means(form::Slot::open);
+        let open = self.open(&mut fields);
         let through = match fields.take(form::Slot::through) {
             Some(node) => self.problems.boolean(node),
             None => (!fields.means(form::Slot::through)).then_some(false),
@@ -89,6 +145,25 @@ impl Reader<'_> {
                     return self.problems.error_help("bad-value", message, place, note!("part-slot-length-over-all"));
                 }
             },
+            _ => (None, None),
+        };
+        let (at, slot) = match (open, at.zip(slot), blank.zip(datum), &width) {
+            (None, placed, ..) if !said_open => placed.unzip(),
+            (Some((node, open)), Some((at, slot)), Some((blank, datum)), Some(width)) => {
+                let beyond = |from: Point, to: Point| run_out(from, to, width.nominal.half(), blank, datum);
+                match opened(at, slot, open, beyond) {
+                    Some(placed) => Some(placed).unzip(),
+                    None => {
+                        let message = note!("part-slot-open-end", name = name.as_deref().unwrap_or("?"));
+                        return self.problems.error_help(
+                            "bad-value",
+                            message,
+                            &node.place,
+                            note!("part-slot-open-help"),
+                        );
+                    }
+                }
+            }
             _ => (None, None),
         };
         let end = depth.unwrap_or(BoreSpan::FAR);
@@ -132,6 +207,21 @@ impl Reader<'_> {
             });
         }
         Some(group)
+    }
+
+    /// Which ends are open.
+    fn open<'n>(&mut self, fields: &mut Fields<'n, form::Slot>) -> Option<(&'n Node, Open)> {
+        let node = fields.take(form::Slot::open)?;
+        if fields.means(form::Slot::centre) || fields.means(form::Slot::length) || fields.means(form::Slot::corner) {
+            return self.problems.error_help(
+                "bad-value",
+                note!("part-slot-open-by-ends"),
+                &node.place,
+                note!("part-slot-open-help"),
+            );
+        }
+        let ends = [("from", Open::From), ("to", Open::To), ("both", Open::Both)];
+        Some((node, self.choice(node, &ends)?))
     }
 
     /// The radius of the corners of a pocket, `Some(None)` of a slot; none where it is wrong.
@@ -181,7 +271,7 @@ impl Reader<'_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::part::{Part, Point, Slot, read_part};
+    use crate::part::{OpenEnds, Part, Point, Slot, read_part};
     use crate::shipped;
     use crate::units::Micrometres;
 
@@ -214,6 +304,19 @@ slots:
         assert_eq!(slot("from: [-20, 10], to: [20, 10]"), lies);
         assert_eq!(slot("centre: [0, 10], length: 52"), lies, "the length is over all");
         let stands = (Point { x: mm(0), y: mm(-10) }, Slot { y: mm(20), ..Slot::default() });
+        // Open ends: 6 mm beyond the edge stands the middle of a mill as wide as the slot, and under 3 : 4 across an edge along X 7.5 mm
+        // further along.
+        let open = |x: i64, y: i64, first: i64, far: Option<i64>| {
+            let um = Micrometres::new;
+            Slot { x: um(x), y: um(y), corner: None, open: Some(OpenEnds { first: um(first), far: far.map(um) }) }
+        };
+        let to_right = (Point { x: mm(106), y: mm(0) }, open(-46_000, 0, 6_000, None));
+        assert_eq!(slot("from: [60, 0], to: [100, 0], open: to"), to_right);
+        assert_eq!(slot("from: [100, 0], to: [60, 0], open: from"), to_right);
+        let across = (Point { x: mm(20), y: mm(-56) }, open(0, 112_000, 6_000, Some(6_000)));
+        assert_eq!(slot("from: [20, -50], to: [20, 50], open: both"), across);
+        let oblique = (Point { x: Micrometres::new(49_500), y: mm(56) }, open(-34_500, -46_000, 7_500, None));
+        assert_eq!(slot("from: [15, 10], to: [45, 50], open: to"), oblique);
         assert_eq!(slot("centre: [0, 0], length: 32, angle: 90"), stands);
     }
 
@@ -231,6 +334,12 @@ slots:
             ("centre: [0, 0], length: 12, width: 12, depth: 5", "", "is a round hole"),
             ("from: [0, 0], to: [0, 0], width: 12, depth: 5", "", "is a round hole"),
             ("from: [0, 0], to: [96, 0], width: 12, depth: 5", "", "is not inside the blank"),
+            ("from: [0, 0], to: [99, 0], open: to, width: 12, depth: 5", "", "does not leave the blank"),
+            ("from: [0, 0], to: [100, 0], open: from, width: 12, depth: 5", "", "does not leave the blank"),
+            ("from: [96, 0], to: [100, 0], open: to, width: 12, depth: 5", "", "is not inside the blank"),
+            ("from: [-100, 46], to: [100, 46], open: both, width: 12, depth: 5", "", "in its middle"),
+            ("from: [0, 0], to: [100, 0], open: left, width: 12, depth: 5", "", "`left`"),
+            ("centre: [80, 0], length: 60, open: both, width: 12, depth: 5", "", "`from` and `to`"),
             ("from: [0, 0], to: [40, 0], width: 12", "", "`depth`"),
             ("centre: [0, 0], length: 60, width: 40, corner: 20, depth: 5", "", "corner of 20 mm"),
             ("from: [0, 0], to: [40, 0], width: 40, corner: 8, depth: 5", "", "no end radii"),

@@ -18,12 +18,48 @@ pub struct Slot {
     /// ends are round.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub corner: Option<Micrometres>,
+    /// How it runs out of the blank, where it does; the first of its ends then lies beside the blank.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub open: Option<OpenEnds>,
+}
+
+/// How far the ends of a slot that runs out of the blank lie beyond where the drawing has it end: the whole mill then stands beside
+/// the blank.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+pub struct OpenEnds {
+    /// The first, mm.
+    pub first: Micrometres,
+    /// The other, mm; absent where the slot is closed there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub far: Option<Micrometres>,
 }
 
 impl Slot {
     /// From the middle of one end radius to that of the other, mm.
     pub fn length(self) -> Micrometres {
         Micrometres::from_mm_rounded(libm::hypot(self.x.to_mm(), self.y.to_mm()))
+    }
+
+    /// Its length over all as drawn, where it is so wide: from the edge of the blank, where it is open.
+    pub fn drawn(self, width: Micrometres) -> Micrometres {
+        match self.open {
+            None => self.length() + width,
+            Some(open) => self.length() - open.first + open.far.map_or(width.half(), |far| Micrometres::ZERO - far),
+        }
+    }
+
+    /// Its ends in the blank, where its first one is: those that are not open.
+    pub fn closed(self, at: Point) -> impl Iterator<Item = Point> {
+        let first = self.open.is_none().then_some(at);
+        let far = self.open.is_none_or(|open| open.far.is_none()).then(|| self.far(at));
+        first.into_iter().chain(far)
+    }
+
+    /// Its ends beside the blank, where its first one is.
+    pub fn outside(self, at: Point) -> impl Iterator<Item = Point> {
+        let first = self.open.map(|_| at);
+        let far = self.open.and_then(|open| open.far).map(|_| self.far(at));
+        first.into_iter().chain(far)
     }
 
     /// The middle of the other end radius, where the first one is.
@@ -164,7 +200,7 @@ mod tests {
     #[test]
     fn a_pocket_reaches_into_its_corners_and_no_further() {
         let mm = |mm: i64| Micrometres::from_mm(mm);
-        let slot = Slot { x: mm(20), y: mm(0), corner: Some(mm(8)) };
+        let slot = Slot { x: mm(20), y: mm(0), corner: Some(mm(8)), open: None };
         let ways = slot.ways(Point { x: mm(-10), y: mm(0) }, mm(40));
         let room = |x, y| {
             let least = ways.iter().map(|way| way.distance(Point { x: mm(x), y: mm(y) })).min().unwrap();

@@ -1,8 +1,8 @@
 //! A vice for a part on whose face straps find no place: which one takes it, how deep it grips, and how hard it must press.
 
 use crate::error::KnowledgeError;
-use crate::note::{Because, Note};
-use crate::part::{Along, Part};
+use crate::note::{Because, Figure, Note};
+use crate::part::{Along, Part, Point};
 use crate::plan::{HolePlan, Vice};
 use crate::shop::Shop;
 use crate::tables::materials::{ClampingConstant, MachineVice, Parallels};
@@ -110,6 +110,9 @@ impl InVice<'_, '_> {
         };
         let raised = on.map_or(Micrometres::ZERO, |(on, _)| on.height);
         let grip = row.jaw_height - raised;
+        if let Some(note) = self.slot_over_jaw(jaws, blank.thickness - grip) {
+            return Ok(Err(note));
+        }
         let needed = self.needed(between, grip);
         let Some((force, load)) = needed else { return Ok(Err(Note::new("no-vice-known"))) };
         if force.0 > row.force.0 {
@@ -206,6 +209,20 @@ impl InVice<'_, '_> {
             }
         }
         Some(room)
+    }
+
+    /// An open slot that runs out over a jaw deeper than the jaws lie below the face.
+    fn slot_over_jaw(&self, jaws: Along, below_face: Micrometres) -> Option<Note> {
+        let (blank, datum) = (&self.part.blank, &self.part.datum);
+        let over = |at: Point| match jaws {
+            Along::X => at.y <= datum.front || at.y >= datum.front + blank.width,
+            Along::Y => at.x <= datum.left || at.x >= datum.left + blank.length,
+        };
+        let slots = self.part.holes.iter().filter_map(|hole| Some((hole, hole.slot?)));
+        let mut runs_out = slots.filter(|(hole, slot)| hole.at.iter().any(|at| slot.outside(*at).any(over)));
+        let (hole, _) = runs_out.find(|(hole, _)| hole.depth >= below_face)?;
+        let note = Note::new("vice-slot-over-jaw").with("slot", Figure::called(&hole.name));
+        Some(note.with("depth", hole.depth).with("below", below_face))
     }
 
     /// The force of the jaws, N, and the load that needs the most of it, with the part `between` thick between them and gripped as

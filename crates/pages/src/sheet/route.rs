@@ -160,10 +160,11 @@ pub(crate) fn size_text(hole: &Hole, transition: &Transition, lang: Lang) -> Str
 /// The width of a slot with its tolerance, and its length over all; none for a round hole.
 pub(crate) fn slot_size(hole: &Hole, lang: Lang) -> Option<String> {
     let slot = hole.slot?;
-    let length = slot.length() + hole.diameter.nominal;
+    let length = slot.drawn(hole.diameter.nominal);
     let width = lang.figure(&(&hole.diameter).into_figure());
     let width = width.trim_start_matches('Ø');
     Some(match slot.corner {
+        None if slot.open.is_some() => say!(lang, "plan-open-slot-size", width = width, length = length),
         None => say!(lang, "plan-slot-size", width = width, length = length),
         Some(corner) => say!(lang, "plan-pocket-size", width = width, length = length, corner = corner),
     })

@@ -47,6 +47,7 @@ plan-step-pocket = { $verb } pocket { $size } ({ $hole }) to a width of { $width
 plan-pocket-size = { $width } × { $length } R{ $corner }
 plan-slot-size = { $width } × { $length }
 plan-size-for-thread = for thread { $thread }
+plan-open-slot-size = { $width } × { $length }, open
 plan-step-within = permitted Ø{ $smallest } to Ø{ $largest }
 plan-step-also = together with Ø{ $diameter }
 plan-step-passes = { $count } { $count ->

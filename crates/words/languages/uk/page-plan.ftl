@@ -35,6 +35,7 @@ plan-step-pocket = { $verb } кишеню { $size } ({ $hole }) до ширин�
 plan-pocket-size = { $width } × { $length } R{ $corner }
 plan-slot-size = { $width } × { $length }
 plan-size-for-thread = під різь { $thread }
+plan-open-slot-size = { $width } × { $length }, відкритий
 plan-step-within = допускається від Ø{ $smallest } до Ø{ $largest }
 plan-step-also = одночасно Ø{ $diameter }
 plan-step-passes = { $count } { $count ->

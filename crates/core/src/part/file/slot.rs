@@ -1,12 +1,14 @@
 //! A slot as its author writes it.
 
+use schemars::JsonSchema;
+use serde::Deserialize;
 use technolog_knowledge::forms;
 
 use super::hole::{CentreTolerance, Diameter, RoughnessText};
 use super::{Coordinate, Direction, Name, Size};
 
 forms! {
-    /// A straight slot with round ends, or with `corner` a rectangular pocket, closed on all sides.
+    /// A straight slot with round ends, or with `corner` a rectangular pocket. It is closed on all sides, but where it is `open`.
     #[schemars(extend("oneOf" = [{"required": ["from", "to"]}, {"required": ["centre", "length"]}]))]
     #[schemars(extend("anyOf" = [{"required": ["depth"]}, {"required": ["through"]}]))]
     pub struct Slot {
@@ -16,6 +18,8 @@ forms! {
         pub from: Option<[Coordinate; 2]>,
         /// The middle of the other.
         pub to: Option<[Coordinate; 2]>,
+        /// Which of the two ends is open at an edge of the blank: its point is then where the middle of the slot leaves the blank.
+        pub open: Option<Open>,
         /// The middle of the slot, `[X, Y]`, mm, instead of `from` and `to`.
         pub centre: Option<[Coordinate; 2]>,
         /// Its length over all, with both end radii, mm; with `centre`.
@@ -36,4 +40,16 @@ forms! {
         /// Full width of the tolerance on its position, mm, up to 10.
         pub centre_tolerance: CentreTolerance,
     }
+}
+
+/// Which end of a slot is open.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Open {
+    /// That of `from`.
+    From,
+    /// That of `to`.
+    To,
+    /// Both: the slot goes across the part.
+    Both,
 }
