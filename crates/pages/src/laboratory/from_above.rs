@@ -1,6 +1,6 @@
 //! The part from above: the plate with its overall sizes, every hole with the name of its group, the zero of the drawing.
 
-use crate::part::{Hole, Part, Point};
+use crate::part::{Blank, Hole, Part, Point};
 use crate::units::Micrometres;
 
 use super::super::canvas::{Anchor, At, Canvas, Pen, width_of};
@@ -27,6 +27,7 @@ pub(super) struct Plate {
     pub scale: f64,
     left: f64,
     front: f64,
+    blank: Blank,
 }
 
 impl Plate {
@@ -36,7 +37,15 @@ impl Plate {
         let scale = ((WIDTH - 2.0 * MARGIN) / length).min(TALLEST / width);
         let (across, up) = (length * scale, width * scale);
         let corner = ((WIDTH - across) / 2.0, top);
-        Self { corner, across, up, scale, left: part.datum.left.to_mm(), front: part.datum.front.to_mm() }
+        Self {
+            corner,
+            across,
+            up,
+            scale,
+            left: part.datum.left.to_mm(),
+            front: part.datum.front.to_mm(),
+            blank: part.blank,
+        }
     }
 
     /// A point of the drawing: there Y points up, and down in the file.
@@ -48,7 +57,7 @@ impl Plate {
     /// Its outline.
     pub(super) fn outline(&self, canvas: &mut Canvas) {
         let (x, y) = self.corner;
-        canvas.rectangle((x, y), (x + self.across, y + self.up), "none", Some(INK));
+        canvas.blank(&self.blank, [(x, y), (x + self.across, y + self.up)], "none", INK);
     }
 
     /// How large a hole is drawn.
@@ -88,9 +97,12 @@ pub(super) fn drawing(part: &Part, lang: Lang) -> String {
     }
     zero(&mut canvas, plate.at(Point { x: Micrometres::ZERO, y: Micrometres::ZERO }));
     let below = corner.1 + up + 22.0;
-    dimension(&mut canvas, [(corner.0, below), (corner.0 + across, below)], &mm(part.blank.length, lang));
-    let beside = corner.0 - 22.0;
-    dimension(&mut canvas, [(beside, corner.1 + up), (beside, corner.1)], &mm(part.blank.width, lang));
+    let size = format!("{}{}", if part.blank.is_round() { "Ø" } else { "" }, mm(part.blank.length, lang));
+    dimension(&mut canvas, [(corner.0, below), (corner.0 + across, below)], &size);
+    if !part.blank.is_round() {
+        let beside = corner.0 - 22.0;
+        dimension(&mut canvas, [(beside, corner.1 + up), (beside, corner.1)], &mm(part.blank.width, lang));
+    }
     canvas.page(WIDTH, corner.1 + up + 46.0)
 }
 
