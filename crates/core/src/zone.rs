@@ -121,7 +121,15 @@ pub fn masses(part: &Part, group: &str, knowledge: &Knowledge) -> Result<Option<
     let density = knowledge.find(|row: &Density<'_>| row.material_group == group)?;
     let [length, width, thickness] =
         [part.blank.length, part.blank.width, part.blank.thickness].map(|side| side.to_mm() / 1000.0);
-    let of = |density: f64| length * width * thickness * density;
+    // Of a disc π/4·(D² − d²)·s.
+    let area = match part.blank.is_round() {
+        false => length * width,
+        true => {
+            let bore = part.blank.bore.map_or(0.0, |bore| bore.to_mm() / 1000.0);
+            std::f64::consts::FRAC_PI_4 * (length * width - bore * bore)
+        }
+    };
+    let of = |density: f64| area * thickness * density;
     Ok(density.map(|density| (of(density.lightest), of(density.heaviest))))
 }
 

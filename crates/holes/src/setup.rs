@@ -373,6 +373,9 @@ fn clamped(
         safe_distance_mm: shown.safe_distance,
         because,
     };
+    if let Some(note) = narrow_ring(part, inset).filter(|_| proposed) {
+        faults.push(Finding::of_part(Severity::Error, note));
+    }
     faults.extend(beside_strap(part, holes, &clamping, shop)?);
     if let Some((name, distance, needed)) = blocked(part, &clamping.clamps, inset) {
         let note = Note::new("clamp-near-hole").with("distance", distance).with("needed", needed);
@@ -390,6 +393,12 @@ fn clamped(
     let hold = hold::Hold { torque: turns.0, side: pushes, hole: turns.1, bears: most, safety: k, friction: f + f2 };
     faults.extend(hold::faults(part, &clamping.clamps, hold, shop)?);
     Ok(Some((clamping, faults)))
+}
+
+/// A ring on which the foot of a strap, as far as the inset to both sides, does not stand.
+fn narrow_ring(part: &Part, inset: Micrometres) -> Option<Note> {
+    let (width, least) = ((part.blank.length - part.blank.bore?).half(), inset + inset);
+    (width < least).then(|| Note::new("ring-too-narrow").with("width", width).with("least", least))
 }
 
 /// Two straps that overlap, or a hole whose tools come nearer to one than the margin of the convention.
@@ -436,7 +445,7 @@ fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(
 /// first, corners last; among equals the middles of the sides first. Where holes block all of them, the best pair
 /// alone.
 ///
-/// Where the table ends before the part does, clamps stand over the table: the middle of the part lies over its middle.
+/// A disc has its pairs opposite each other around the rim instead. Where the table ends before the part does, clamps stand over the table: the middle of the part lies over its middle.
 fn proposals(part: &Part, inset: Micrometres, combined: usize, machine: &Machine<'_>) -> Vec<Vec<Point>> {
     let (blank, middle) = (&part.blank, part.middle());
     // A spindle that does not stand over its table says nothing of its height.
@@ -450,16 +459,27 @@ fn proposals(part: &Part, inset: Micrometres, combined: usize, machine: &Machine
         vec![Point { x: middle.x - x, y: middle.y - y }, Point { x: middle.x + x, y: middle.y + y }]
     };
     let shifts = [0, 1, -1, 2, -2, 3, -3, 4, -4];
-    let sides =
-        shifts.iter().flat_map(|&tenths| [pair(along.ratio(tenths, 5), across), pair(along, across.ratio(tenths, 5))]);
+    let sides = shifts
+        .iter()
+        .flat_map(|&tenths| [pair(along.ratio(tenths, 5), across), pair(along, across.ratio(tenths, 5))])
+        .filter(|_| !blank.is_round());
+    // On a disc they stand opposite each other at the rim, every 15° of it, where the table is under them.
+    let reach = blank.length.half() - inset;
+    let around = (0..12_i32).map(|step| (f64::from(step) * 15.0).to_radians()).map(|angle| {
+        let at = |share: f64| Micrometres::from_mm_rounded(reach.to_mm() * share);
+        (at(libm::cos(angle)), at(libm::sin(angle)))
+    });
+    let rim =
+        around.filter(|(x, y)| blank.is_round() && x.abs() <= along && y.abs() <= across).map(|(x, y)| pair(x, y));
     let room = |clamps: &Vec<Point>| {
         let holes = part.holes.iter().flat_map(|hole| hole.ways().map(|way| (way, hole.diameter.nominal.half())));
         holes.flat_map(|(way, radius)| clamps.iter().map(move |clamp| way.distance(*clamp) - radius)).min()
     };
-    let mut pairs: Vec<Vec<Point>> = sides.collect();
+    let mut pairs: Vec<Vec<Point>> = sides.chain(rim).collect();
     pairs.sort_by_cached_key(|clamps| std::cmp::Reverse(room(clamps)));
     // The corners last: a strap clamp is least stable there.
-    pairs.extend([1, -1].map(|side| pair(along, across.ratio(side, 1))));
+    let corners = [1, -1].map(|side| pair(along, across.ratio(side, 1)));
+    pairs.extend(corners.into_iter().filter(|_| !blank.is_round()));
     // A hole that blocks a pair blocks every set of four with it.
     let free: Vec<&Vec<Point>> = pairs.iter().filter(|clamps| blocked(part, clamps, inset).is_none()).collect();
     if free.is_empty() {

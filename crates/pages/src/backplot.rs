@@ -274,7 +274,7 @@ fn draw(
         let (left, front) = (datum.left.to_mm(), datum.front.to_mm());
         // Turned over about its middle, the plate covers the same area.
         let (right, rear) = (left + blank.length.to_mm(), front + blank.width.to_mm());
-        canvas.rectangle(view.at((left, front)), view.at((right, rear)), "#f4f4f4", Some(OUTLINE));
+        canvas.blank(&blank, [view.at((left, front)), view.at((right, rear))], "#f4f4f4", OUTLINE);
         for (way, diameter, _) in placed.holes(frame.part) {
             let radius = (diameter.to_mm() / 2.0 * view.scale).max(1.0);
             let ends = [way.from, way.to].map(|end| view.at((end.x.to_mm(), end.y.to_mm())));

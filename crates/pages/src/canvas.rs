@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::document::escaped;
+use crate::part::Blank;
 
 /// Colours that colour-blind people can tell apart (Okabe and Ito, 2008).
 pub(super) const COLOURS: [&str; 6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"];
@@ -95,6 +96,19 @@ impl Canvas {
         self.push_element(format_args!(
             "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{radius:.2}\" fill=\"{fill}\"{stroke}/>"
         ));
+    }
+
+    /// The outline of a blank between two opposite corners, round with its bore where it is a disc.
+    pub(super) fn blank(&mut self, blank: &Blank, [a, b]: [At; 2], fill: &str, pen: Pen) {
+        if !blank.is_round() {
+            return self.rectangle(a, b, fill, Some(pen));
+        }
+        let (middle, radius) = (((a.0 + b.0) / 2.0, (a.1 + b.1) / 2.0), (b.0 - a.0).abs() / 2.0);
+        self.circle(middle, radius, fill, Some(pen));
+        if let Some(bore) = blank.bore {
+            let share = bore.to_mm() / blank.length.to_mm().max(f64::MIN_POSITIVE);
+            self.circle(middle, radius * share, if fill == "none" { fill } else { "white" }, Some(pen));
+        }
     }
 
     /// A slot with round ends, by the middles of those; a circle where both are one.

@@ -35,7 +35,7 @@ pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
         .collect();
     let plate = part.map(|part| {
         let (datum, blank) = (part.datum, part.blank);
-        (mm(datum.left), mm(datum.front), mm(blank.length), mm(blank.width))
+        (blank, [mm(datum.left), mm(datum.front), mm(blank.length), mm(blank.width)])
     });
     let mut xs: Vec<f64> = Vec::new();
     let mut ys: Vec<f64> = Vec::new();
@@ -45,7 +45,7 @@ pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
         xs.push(mm(point.x));
         ys.push(mm(point.y));
     }
-    if let Some((left, front, length, width)) = plate {
+    if let Some((_, [left, front, length, width])) = plate {
         xs.extend([left, left + length]);
         ys.extend([front, front + width]);
     }
@@ -65,9 +65,9 @@ pub fn drawing(panels: &[Panel], part: Option<&Part>) -> String {
         let page = |x: f64, y: f64| (x0 + MARGIN + (x - left) * scale, y0 + TITLE + MARGIN + (high - y) * scale);
         let at = |point: &Point| page(mm(point.x), mm(point.y));
         canvas.text((x0 + MARGIN, y0 + TITLE - 6.0), LETTERS.0, Anchor::Start, &panel.title);
-        if let Some((left, front, length, width)) = plate {
+        if let Some((blank, [left, front, length, width])) = plate {
             let corner = page(left + length, front + width);
-            canvas.rectangle(page(left, front), corner, "#f4f4f4", Some(Pen::solid("#444", 1.0)));
+            canvas.blank(&blank, [page(left, front), corner], "#f4f4f4", Pen::solid("#444", 1.0));
         }
         for (hole, diameter) in &holes {
             let radius = (mm(*diameter) / 2.0 * scale).max(1.0);

@@ -155,13 +155,22 @@ pub(super) fn head(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang
     let machine = Machine::find(knowledge, &part.machine).map(|machine| &machine.table.title);
     // The title of a table stands in the table, in both languages.
     let machine = machine.map_or(part.machine.as_str(), |title| title.text(lang.tag()));
-    let (length, width, thickness) = (part.blank.length, part.blank.width, part.blank.thickness);
-    let blank = say!(lang, "plan-plate", length = length, width = width, thickness = thickness);
+    let blank = blank_of(part, lang);
     page.push(crate::document::Block::Fields(vec![
         Field::new(say!(lang, "plan-material"), material),
         Field::new(say!(lang, "plan-blank"), blank),
         Field::new(say!(lang, "plan-machine"), machine),
     ]));
+}
+
+/// The blank by its sizes.
+pub(crate) fn blank_of(part: &Part, lang: Lang) -> String {
+    let (length, width, thickness) = (part.blank.length, part.blank.width, part.blank.thickness);
+    match (part.blank.is_round(), part.blank.bore) {
+        (false, _) => say!(lang, "plan-plate", length = length, width = width, thickness = thickness).to_owned(),
+        (true, None) => say!(lang, "plan-disc", diameter = length, thickness = thickness).to_owned(),
+        (true, Some(bore)) => say!(lang, "plan-ring", diameter = length, bore = bore, thickness = thickness).to_owned(),
+    }
 }
 
 /// Where the clamps press, with which force and screw.

@@ -87,9 +87,7 @@ fn walls<'p>(part: &'p Part, shop: &Shop<'_>) -> Result<Vec<(&'p String, Fault)>
         };
         let ends = hole.ways().flat_map(|way| [(way.from, way.thinner), (way.to, way.thinner)]);
         for (at, thinner) in ends.filter(|(end, _)| !open(end)) {
-            let (left, front) = (at.x - part.datum.left, at.y - part.datum.front);
-            let nearest = left.min(front).min(part.blank.length - left).min(part.blank.width - front);
-            let edge = nearest + thinner;
+            let edge = part.to_edge(at) + thinner;
             for span in &spans[index] {
                 note((index, None), edge - span.diameter.half(), of_height(span.to - span.from));
             }

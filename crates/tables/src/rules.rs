@@ -178,6 +178,7 @@ rows! {
     pub struct PartLocatingBy of One("part-locating") asked by PartLocatingFor {
         fine_holes: f64,
         from_contour: bool,
+        round: bool,
     } {
         locating: PartLocating,
     }

@@ -30,6 +30,7 @@ mod proof;
 mod published;
 mod red_pencil;
 mod refusals;
+mod round;
 mod route_laws;
 mod schools;
 mod scrap;

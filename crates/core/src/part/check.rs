@@ -269,14 +269,16 @@ fn inside(group: &Group, blank: &Blank, datum: &Datum, problems: &mut Problems) 
 
 /// Whether a circle extends beyond the blank.
 fn reaches_out(point: Point, radius: Micrometres, blank: &Blank, datum: &Datum) -> bool {
-    let (right, back) = (datum.left + blank.length, datum.front + blank.width);
-    point.x - radius < datum.left
-        || point.x + radius > right
-        || point.y - radius < datum.front
-        || point.y + radius > back
+    blank.to_edge(datum, point) < radius
 }
 
 fn extent(blank: &Blank, datum: &Datum) -> Note {
+    if blank.is_round() {
+        return match blank.bore {
+            Some(bore) => note!("part-ring-reaches", bore = bore, diameter = blank.length),
+            None => note!("part-disc-reaches", diameter = blank.length),
+        };
+    }
     let (right, back) = (datum.left + blank.length, datum.front + blank.width);
     note!("part-blank-reaches-from-x-from", left = datum.left, right = right, front = datum.front, back = back)
 }

@@ -67,16 +67,29 @@ forms! {
         pub strength: Option<Size>,
     }
 
-    /// The blank, with the hole axes along Z.
+    /// The blank, with the hole axes along Z: a plate by length and width, or a disc or ring by its diameter.
+    #[schemars(extend("oneOf" = [{"required": ["length", "width"]}, {"required": ["diameter"]}]))]
     pub struct Blank {
         /// Its kind.
         pub kind: BlankKind,
-        /// Along X, mm.
-        pub length: Size,
-        /// Along Y, mm.
-        pub width: Size,
+        /// Of a plate along X, mm.
+        pub length: Option<Size>,
+        /// Of a plate along Y, mm.
+        pub width: Option<Size>,
+        /// Of a disc, mm.
+        pub diameter: Option<Size>,
+        /// Of a ring: the bore about its axis that is there already and is not made here, mm.
+        pub bore: Option<Size>,
         /// Along Z, mm.
         pub thickness: Size,
+    }
+
+    /// A point by its distance from the zero of the drawing, mm, and its angle from X towards Y, degrees.
+    pub struct PolarPoint {
+        /// From the zero, mm.
+        pub r: Size,
+        /// From X, counter-clockwise, degrees.
+        pub angle: Direction,
     }
 
     /// Where the part's zeros lie: a side by its word, or the zero's distance from the left, front or
@@ -181,6 +194,16 @@ pub enum ZeroY {
     Side(SideY),
     /// By its distance from the front side, mm.
     Distance(Coordinate),
+}
+
+/// A point of the face.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum PointOfFace {
+    /// By X and Y, mm.
+    Cartesian([Coordinate; 2]),
+    /// By its distance from the zero and its angle.
+    Polar(PolarPoint),
 }
 
 /// Zero of Z.

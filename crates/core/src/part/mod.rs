@@ -83,6 +83,9 @@ pub struct Blank {
     pub width: Micrometres,
     /// Along Z, mm.
     pub thickness: Micrometres,
+    /// The bore of a round blank, about its axis, that is there before the operation and is not made here, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bore: Option<Micrometres>,
 }
 
 /// Kinds of blanks.
@@ -91,6 +94,15 @@ pub struct Blank {
 pub enum BlankKind {
     /// A plate.
     Plate,
+    /// A round one, disc or ring: length and width are its diameter.
+    Disc,
+}
+
+impl Blank {
+    /// Whether it is round about the Z axis.
+    pub const fn is_round(&self) -> bool {
+        matches!(self.kind, BlankKind::Disc)
+    }
 }
 
 /// Where the part's zeros lie, as the blank's lower left corner and top face seen from them.
@@ -396,7 +408,26 @@ pub enum CentreTolerance {
     },
 }
 
+impl Blank {
+    /// How far a point is from its nearest edge, its lower left corner being where the datum says; below zero outside it.
+    pub(crate) fn to_edge(&self, datum: &Datum, at: Point) -> Micrometres {
+        let (left, front) = (at.x - datum.left, at.y - datum.front);
+        if !self.is_round() {
+            return left.min(front).min(self.length - left).min(self.width - front);
+        }
+        let radius = self.length.half();
+        let from_axis = Point { x: left, y: front }.distance(Point { x: radius, y: radius });
+        let to_rim = radius - from_axis;
+        self.bore.map_or(to_rim, |bore| to_rim.min(from_axis - bore.half()))
+    }
+}
+
 impl Part {
+    /// How far a point of the face is from the nearest edge of the blank, that of a bore too; below zero outside it.
+    pub fn to_edge(&self, at: Point) -> Micrometres {
+        self.blank.to_edge(&self.datum, at)
+    }
+
     /// The middle of the blank's top face.
     pub fn middle(&self) -> Point {
         Point { x: self.datum.left + self.blank.length.half(), y: self.datum.front + self.blank.width.half() }

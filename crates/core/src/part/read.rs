@@ -12,7 +12,7 @@ use technolog_note::note;
 use super::check;
 use super::file::{self, PartFile};
 use super::stated;
-use super::{Blank, BlankKind, Datum, Entry, Fixture, Part, Point};
+use super::{Base, Blank, BlankKind, Datum, Dimension, Entry, Fixture, Part, Point};
 
 /// Reads a part file.
 ///
@@ -95,6 +95,13 @@ impl Reader<'_> {
             check::check_pins(&pins, &groups, blank, datum, self.problems);
         }
         let dimensions = dimensions_node.map(|node| self.dimensions(node, &groups)).unwrap_or_default();
+        let from_side = |one: &&Dimension| matches!((&one.from, &one.to), (Base::Side(_), _) | (_, Base::Side(_)));
+        if let (Some(node), Some(true)) = (dimensions_node, blank.map(|blank| blank.is_round()))
+            && dimensions.iter().any(|one| from_side(&one))
+        {
+            let help = note!("part-dimension-between-holes");
+            self.problems.error_help::<()>("bad-value", note!("part-disc-has-no-sides"), &node.place, help);
+        }
         let (material, material_state) = material?;
         Some(Part {
             part: name?,
@@ -196,20 +203,48 @@ impl Reader<'_> {
     pub(super) fn blank(&mut self, node: &Node) -> Option<Blank> {
         let mut fields = self.problems.map(node)?;
         let kind = match fields.need(file::Blank::kind, self.problems) {
-            Some(node) => self.choice(node, &[("plate", BlankKind::Plate)]),
+            Some(node) => self.choice(node, &[("plate", BlankKind::Plate), ("disc", BlankKind::Disc)]),
             None => None,
         };
-        let length = self.need_size(&mut fields, file::Blank::length);
-        let width = self.need_size(&mut fields, file::Blank::width);
+        // Without a kind that can be read the sizes say which it is.
+        let round = kind.map_or_else(|| fields.means(file::Blank::diameter), |kind| kind == BlankKind::Disc);
         let thickness = self.need_size(&mut fields, file::Blank::thickness);
-        fields.finish(self.problems);
-        Some(Blank { kind: kind?, length: length?, width: width?, thickness: thickness? })
+        if !round {
+            let length = self.need_size(&mut fields, file::Blank::length);
+            let width = self.need_size(&mut fields, file::Blank::width);
+            fields.finish_among(
+                &[file::Blank::kind, file::Blank::length, file::Blank::width, file::Blank::thickness],
+                self.problems,
+            );
+            return Some(Blank { kind: kind?, length: length?, width: width?, thickness: thickness?, bore: None });
+        }
+        let diameter = self.need_size(&mut fields, file::Blank::diameter);
+        let bore_node = fields.take(file::Blank::bore);
+        fields.finish_among(
+            &[file::Blank::kind, file::Blank::diameter, file::Blank::bore, file::Blank::thickness],
+            self.problems,
+        );
+        let bore = bore_node.and_then(|node| self.positive(node, file::Blank::bore.name()));
+        let (kind, diameter, thickness) = (kind?, diameter?, thickness?);
+        if let (Some(node), Some(wide)) = (bore_node, bore.filter(|bore| *bore >= diameter)) {
+            let message = note!("part-bore-of-ring-too-wide", bore = wide, diameter = diameter);
+            return self.problems.error("bad-value", message, &node.place);
+        }
+        Some(Blank { kind, length: diameter, width: diameter, thickness, bore })
     }
 
     pub(super) fn datum(&mut self, node: &Node, blank: &Blank) -> Option<Datum> {
         let mut fields = self.problems.map(node)?;
-        let x = fields.take(file::Datum::x).map(|node| self.zero(node, ["left", "centre", "right"], blank.length));
-        let y = fields.take(file::Datum::y).map(|node| self.zero(node, ["front", "centre", "back"], blank.width));
+        let (x_node, y_node) = (fields.take(file::Datum::x), fields.take(file::Datum::y));
+        // A round blank has no sides to count from.
+        let off = [x_node, y_node].into_iter().flatten().find(|node| node.text() != Some("centre"));
+        if let Some(node) = off.filter(|_| blank.is_round()) {
+            let help = note!("part-leave-zero-at-axis");
+            self.problems.error_help::<()>("bad-value", note!("part-disc-has-zero-at-axis"), &node.place, help);
+            return None;
+        }
+        let x = x_node.map(|node| self.zero(node, ["left", "centre", "right"], blank.length));
+        let y = y_node.map(|node| self.zero(node, ["front", "centre", "back"], blank.width));
         let z = fields.take(file::Datum::z).map(|node| self.zero(node, ["bottom", "middle", "top"], blank.thickness));
         fields.finish(self.problems);
         let left = x.unwrap_or(Some(-blank.length.half()))?;
@@ -236,6 +271,9 @@ impl Reader<'_> {
     }
 
     pub(super) fn point(&mut self, node: &Node) -> Option<Point> {
+        if node.get("r").is_some() || node.get("angle").is_some() {
+            return self.polar(node);
+        }
         if let NodeKind::Map(_) = node.kind {
             let help = note!("part-write-point-in-brackets", example = point_of_mapping(node));
             return self.problems.error_help("bad-value", note!("part-point-is-a-mapping"), &node.place, help);
@@ -251,6 +289,20 @@ impl Reader<'_> {
                 self.problems.error_help("bad-value", message, &node.place, help)
             }
         }
+    }
+}
+
+impl Reader<'_> {
+    /// A point by its distance from the zero of the drawing and the angle from X to Y, to a micrometre.
+    fn polar(&mut self, node: &Node) -> Option<Point> {
+        let mut fields = self.problems.map(node)?;
+        let radius = fields.need(file::PolarPoint::r, self.problems).and_then(|node| self.problems.scalar(node));
+        let angle: Option<Decimal> =
+            fields.need(file::PolarPoint::angle, self.problems).and_then(|node| self.problems.scalar(node));
+        fields.finish(self.problems);
+        let (radius, angle): (Micrometres, f64) = (radius?, angle?.to_f64().to_radians());
+        let along = |share: f64| Micrometres::from_mm_rounded(radius.to_mm() * share);
+        Some(Point { x: along(libm::cos(angle)), y: along(libm::sin(angle)) })
     }
 }
 

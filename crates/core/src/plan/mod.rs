@@ -130,6 +130,13 @@ impl Plan {
         }
     }
 
+    /// The axis at which X and Y of a set-up are found by indicator, as the part lies: of the round pin, or of a round blank that no
+    /// pins locate.
+    pub fn zero_axis(&self, set_up: u32) -> Option<Point> {
+        let of_disc = self.part.blank.is_round().then(|| self.part.middle());
+        self.zero_pin(set_up).map(|pin| pin.at).or(of_disc)
+    }
+
     /// The round pin at which X and Y of a set-up are found, where the part lies on a plane and two holes in it.
     pub fn zero_pin(&self, set_up: u32) -> Option<&LocatingPin> {
         let fixture = self.setup.fixture.as_ref().filter(|_| set_up == 1)?;

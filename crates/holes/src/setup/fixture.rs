@@ -31,7 +31,8 @@ pub fn locating(part: &Part, shop: &Shop<'_>) -> Result<(PartLocating, Because),
     let (dimensions, pins) = (&part.dimensions, &part.fixture.pins);
     let from_side = dimensions.iter().any(|one| matches!((&one.from, &one.to), (Base::Side(_), Base::Hole(_))));
     let from_contour = from_side || dimensions.is_empty() && pins.is_empty();
-    let answer = shop.knowledge.ask(&PartLocatingFor { fine_holes: pins.len() as f64, from_contour })?;
+    let round = part.blank.is_round();
+    let answer = shop.knowledge.ask(&PartLocatingFor { fine_holes: pins.len() as f64, from_contour, round })?;
     let why = Because::answer(&answer.answer, Note::new("part-locating"));
     Ok((answer.need("three-planes")?.locating, why))
 }
@@ -64,8 +65,9 @@ pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<(Option<FixturePlan>, Vec
     because.push(why);
     let Pins { pins, pair, because: of_pins, findings } = pins(&plan.part, locating, shop)?;
     because.extend(of_pins);
-    // On a plane and two holes no side of the part touches anything.
-    let error = if locating == PartLocating::PlaneAndTwoHoles { None } else { locating_error(held, shop)? };
+    // On a plane and two holes no side of the part touches anything, and a disc has none.
+    let on_sides = matches!(locating, PartLocating::ThreePlanes | PartLocating::TwoPlanesAndHole);
+    let error = if on_sides { locating_error(held, shop)? } else { None };
     because.extend(error.iter().map(|row| Because::row(row.row, Note::new("locating-error").with("most", row.most))));
     let of_sides = error.map(|row| [row.least, row.most]);
     // Along X and Y it may be a side or a pin that errs more.

@@ -29,7 +29,7 @@ pub(super) struct Hold<'p> {
 /// - Turning: the part turns about one clamp, and friction at the others holds it: k·M ≤ (f + f2)·W·Σl, N·m, l the
 ///   distances from that clamp to the others; under a single clamp nothing does.
 /// - Tipping: a side force P at the top face turns the part over an edge, against W times the distances of the clamps
-///   from it: k·P·h ≤ W·Σa, N·m, h the thickness of the blank.
+///   from it: k·P·h ≤ W·Σa, N·m, h the thickness of the blank; a disc over a line that touches its rim.
 ///
 /// Feet that overlap are no two clamps; that all stand by one side is a doubt. Both balances are statics of a plate on a
 /// flat support, with the constants of the table `clamping`.
@@ -61,7 +61,11 @@ pub(super) fn faults(
         faults.push(Finding::of_part(Severity::Error, note));
     }
     let tips = hold.safety * hold.side.0 * metres(part.blank.thickness);
-    let holds = hold.bears.0 * edges(part, clamps).map(metres).fold(f64::INFINITY, f64::min);
+    let from_edges = match part.blank.is_round() {
+        true => from_tangent(part, clamps),
+        false => edges(part, clamps).map(metres).fold(f64::INFINITY, f64::min),
+    };
+    let holds = hold.bears.0 * from_edges;
     if tips > holds {
         let note = Note::new("clamps-tip")
             .with("side", hold.side.rounded(0).0)
@@ -96,6 +100,15 @@ fn edges<'p>(part: &'p Part, clamps: &'p [Point]) -> impl Iterator<Item = Microm
     let (left, front) = (sum(&|at| at.x - datum.left), sum(&|at| at.y - datum.front));
     let all = |size: Micrometres| size.ratio(clamps.len() as i64, 1);
     [left, front, all(blank.length) - left, all(blank.width) - front].into_iter()
+}
+
+/// The least sum of the distances of the clamps from a line that touches the rim of a disc: n·R − |Σr|, r from its axis to each of n
+/// clamps, m.
+fn from_tangent(part: &Part, clamps: &[Point]) -> f64 {
+    let (middle, radius) = (part.middle(), part.blank.length.half().to_mm());
+    let (x, y) =
+        clamps.iter().fold((0.0, 0.0), |(x, y), at| (x + (at.x - middle.x).to_mm(), y + (at.y - middle.y).to_mm()));
+    (clamps.len() as f64 * radius - libm::hypot(x, y)) / 1000.0
 }
 
 /// How far from a clamp the part goes on, and its width that way, where all clamps stand within `share` of its width

@@ -26,7 +26,7 @@ pub(super) struct Pins {
 pub(super) fn pins(part: &Part, locating: PartLocating, shop: &Shop<'_>) -> Result<Pins, KnowledgeError> {
     let kinds: &[PinKind] = match locating {
         PartLocating::PlaneAndTwoHoles => &[PinKind::Round, PinKind::Cut],
-        PartLocating::TwoPlanesAndHole => &[PinKind::Cut],
+        PartLocating::TwoPlanesAndHole | PartLocating::PlaneAndAxis => &[PinKind::Cut],
         PartLocating::ThreePlanes => &[],
     };
     let mut all = Pins::default();

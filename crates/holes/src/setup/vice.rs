@@ -18,6 +18,10 @@ use super::{Load, constant, loads_of};
 /// # Errors
 /// The knowledge base has no answer.
 pub fn vice(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Result<Vice, Note>, KnowledgeError> {
+    // Between two flat jaws a disc rolls: it needs prisms or a chuck.
+    if part.blank.is_round() {
+        return Ok(Err(Note::new("vice-not-round").with("diameter", part.blank.length)));
+    }
     let rows: Vec<MachineVice<'_>> = shop.knowledge.rows()?;
     let parallels: Vec<Parallels<'_>> = shop.knowledge.rows()?;
     let limits = Limits::read(shop)?;

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use crate::note::IntoFigure;
-use crate::part::{Hole, Part, Point};
+use crate::part::{Blank, Hole, Part, Point};
 use crate::units::Micrometres;
 
 use super::super::canvas::{Anchor, At, Canvas, Pen, THIN, width_of};
@@ -32,6 +32,7 @@ pub(super) struct Plate {
     pub scale: f64,
     left: f64,
     front: f64,
+    blank: Blank,
 }
 
 impl Plate {
@@ -41,7 +42,15 @@ impl Plate {
         let scale = ((WIDTH - 2.0 * MARGIN) / length).min(TALLEST / width);
         let (across, up) = (length * scale, width * scale);
         let corner = ((WIDTH - across) / 2.0, top);
-        Self { corner, across, up, scale, left: part.datum.left.to_mm(), front: part.datum.front.to_mm() }
+        Self {
+            corner,
+            across,
+            up,
+            scale,
+            left: part.datum.left.to_mm(),
+            front: part.datum.front.to_mm(),
+            blank: part.blank,
+        }
     }
 
     /// A point of the drawing: there Y points up, and down in the file.
@@ -53,7 +62,7 @@ impl Plate {
     /// Its outline.
     pub(super) fn outline(&self, canvas: &mut Canvas) {
         let (x, y) = self.corner;
-        canvas.rectangle((x, y), (x + self.across, y + self.up), "none", Some(INK));
+        canvas.blank(&self.blank, [(x, y), (x + self.across, y + self.up)], "none", INK);
     }
 
     /// How large a hole is drawn.
@@ -134,13 +143,19 @@ pub(super) fn drawing(part: &Part, lang: Lang) -> String {
         }
         beside -= ASIDE;
     }
-    canvas.dimension([(corner.0, below), (corner.0 + across, below)], &mm(part.blank.length, lang));
-    canvas.dimension([(beside, corner.1 + up), (beside, corner.1)], &mm(part.blank.width, lang));
+    let round = part.blank.is_round();
+    let size = format!("{}{}", if round { "Ø" } else { "" }, mm(part.blank.length, lang));
+    canvas.dimension([(corner.0, below), (corner.0 + across, below)], &size);
+    // A disc is widest at the height of its axis.
+    let from = if round { corner.1 + up / 2.0 } else { corner.1 + up };
     for x in [corner.0, corner.0 + across] {
-        canvas.line(&[(x, corner.1 + up), (x, below + 4.0)], THIN);
+        canvas.line(&[(x, from), (x, below + 4.0)], THIN);
     }
-    for y in [corner.1, corner.1 + up] {
-        canvas.line(&[(corner.0, y), (beside - 4.0, y)], THIN);
+    if !round {
+        canvas.dimension([(beside, corner.1 + up), (beside, corner.1)], &mm(part.blank.width, lang));
+        for y in [corner.1, corner.1 + up] {
+            canvas.line(&[(corner.0, y), (beside - 4.0, y)], THIN);
+        }
     }
     canvas.page(WIDTH, below + 24.0)
 }

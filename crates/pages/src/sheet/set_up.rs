@@ -68,7 +68,7 @@ fn on_table(held: Held<'_>, stand: &Stand, plan: &Plan, lang: Lang) -> Vec<Strin
         None => "plan-supports-none",
     };
     let supports = lang.say(&Note::new(key).with("setup", stand.set_up).with("height", stand.height_mm));
-    let lies = lang.say(&lies(stand));
+    let lies = lang.say(&lies(stand, &plan.part));
     let clamped = match held {
         Held::Straps(clamping) => {
             let turned = (stand.face == Face::Back).then(|| lang.word("plan-clamps-turned").to_owned());
@@ -114,7 +114,7 @@ fn side(touched: Touched, axis: Along, lang: Lang) -> &'static str {
 /// The stops that straps hold the part against: two points of the longer side and one of the shorter, as three planes have it; none
 /// where pins locate it.
 pub(crate) fn stops(stand: &Stand, plan: &Plan, lang: Lang) -> Option<String> {
-    let fixture = plan.setup.fixture.as_ref()?;
+    let fixture = plan.setup.fixture.as_ref().filter(|_| !plan.part.blank.is_round())?;
     let straps = matches!(plan.held(stand.set_up), Held::Straps(_));
     let first = stand.set_up == 1;
     let blank = &plan.part.blank;
@@ -149,8 +149,12 @@ pub(crate) fn own_fixture(own: &OwnFixture, part: &Part, lang: Lang) -> String {
     lang.say(&if own.side_force_n.is_some() { note } else { note.without("side") })
 }
 
-/// Where the corner of the part lies on the table.
-fn lies(stand: &Stand) -> Note {
+/// Where the corner of the part lies on the table, or the axis of a disc.
+fn lies(stand: &Stand, part: &Part) -> Note {
+    if part.blank.is_round() {
+        let radius = part.blank.length.half();
+        return Note::new("plan-lies-axis").with("x", stand.corner_mm.x + radius).with("y", stand.corner_mm.y + radius);
+    }
     Note::new("plan-lies").with("x", stand.corner_mm.x).with("y", stand.corner_mm.y)
 }
 
@@ -184,7 +188,7 @@ pub(crate) fn in_vice(vice: &Vice, stand: &Stand, plan: &Plan, lang: Lang) -> St
     let [jaw, end] = [jaw, end].map(|axis| side(stand.touched, axis, lang).to_owned());
     let against = lang.say(&Note::new("plan-vice-stop").with("jaw", jaw).with("side", end));
     let turned = turned_over(stand, plan, lang);
-    let said = [lang.say(&held), against, lang.say(&grips), lang.say(&lies(stand))];
+    let said = [lang.say(&held), against, lang.say(&grips), lang.say(&lies(stand, &plan.part))];
     turned.into_iter().chain(said).collect::<Vec<_>>().join(" ")
 }
 
@@ -212,15 +216,20 @@ fn place(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
     let knee = stand.nose_to_table_mm.map(|nose| lang.say(&Note::new("plan-knee").with("nose", nose)));
     let frame = format!("G{}", stand.frame);
     let [right, back] = zero_sums(stand, plan, lang);
-    let sides = match plan.zero_pin(stand.set_up) {
-        Some(_) => Note::new("plan-zero-by-pin").with("frame", frame.as_str()).with("right", right).with("back", back),
-        None => touching("plan-zero-by-sides", &frame, stand.touched, stand.sides_mm, lang),
+    let by_axis =
+        |code| Note::new(code).with("frame", frame.as_str()).with("right", right.clone()).with("back", back.clone());
+    let sides = match (plan.zero_pin(stand.set_up), plan.zero_axis(stand.set_up)) {
+        (Some(_), _) => by_axis("plan-zero-by-pin"),
+        (None, Some(_)) => by_axis("plan-zero-by-axis"),
+        (None, None) => touching("plan-zero-by-sides", &frame, stand.touched, stand.sides_mm, lang),
     };
     let mut sides = vec![lang.say(&sides.with("x", x).with("y", y))];
     sides.extend(once(stand, plan).map(|code| lang.word(code).to_owned()));
     // A blank is not as long as drawn: what both set-ups make must be counted from one face.
     if stand.face == Face::Back {
-        sides.push(lang.word("plan-same-face").to_owned());
+        // No side of a disc says how far it is turned about its axis.
+        let code = if plan.part.blank.is_round() { "plan-disc-angle" } else { "plan-same-face" };
+        sides.push(lang.word(code).to_owned());
     }
     let others = stand.other_zeros.iter().map(|other| other_zero(other, &frame, lang));
     let face = Note::new("plan-zero-by-face")
@@ -236,6 +245,7 @@ fn place(stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
 pub(crate) fn once(stand: &Stand, plan: &Plan) -> Option<&'static str> {
     match plan.held(stand.set_up) {
         _ if plan.zero_pin(stand.set_up).is_some() => Some("plan-once-pins"),
+        Held::Straps(_) if plan.part.blank.is_round() => Some("plan-once-axis"),
         Held::Straps(_) | Held::Vice(_) => Some("plan-once"),
         Held::Own(_) | Held::Nothing => None,
     }
@@ -243,9 +253,10 @@ pub(crate) fn once(stand: &Stand, plan: &Plan) -> Option<&'static str> {
 
 /// What is added to the readings xM, yM for the zero of a set-up.
 pub(crate) fn zero_sums(stand: &Stand, plan: &Plan, lang: Lang) -> [String; 2] {
-    match plan.zero_pin(stand.set_up) {
-        Some(pin) => [pin.at.x, pin.at.y]
-            .map(|length| if length == Micrometres::ZERO { String::new() } else { less(length, lang) }),
+    match plan.zero_axis(stand.set_up) {
+        Some(at) => {
+            [at.x, at.y].map(|length| if length == Micrometres::ZERO { String::new() } else { less(length, lang) })
+        }
         None => less_radii(stand.sides_mm, stand.touched, lang),
     }
 }

@@ -256,6 +256,8 @@ vocabulary! {
         TwoPlanesAndHole = "two-planes-and-hole",
         /// Three planes.
         ThreePlanes = "three-planes",
+        /// The face of a round part and its axis.
+        PlaneAndAxis = "plane-and-axis",
     }
 
     /// A load on the machine.

@@ -26,7 +26,7 @@ point-breaks-through = the point of the drill Ø{ $diameter } reaches { $depth }
 spot-too-deep = the spot Ø{ $diameter } is { $depth } mm deep, and the hole { $limit } mm
 countersink-too-deep = the front of the countersink for Ø{ $diameter } comes { $depth } mm deep, and the hole is { $limit } mm deep: it would meet the floor
 too-heavy = mass { $mass } kg, and the machine takes { $limit } kg at most
-plate-too-heavy = a solid plate of this size weighs { $mass } kg, and the machine takes { $limit } kg at most: give `mass` if the blank is lighter
+plate-too-heavy = a solid blank of this size weighs { $mass } kg, and the machine takes { $limit } kg at most: give `mass` if the blank is lighter
 not-planned = { $operation }: not planned here
 rows-rejected = rows by the column “{ $column }”: { $rows }
 # Diameters.

@@ -5,6 +5,8 @@ plan-material-of-strength = { $material } (HB { $hardness }, σB { $strength } M
 plan-material-of-hardness = { $material } (HB { $hardness })
 plan-blank = Blank
 plan-plate = plate { $length } × { $width } × { $thickness } mm
+plan-disc = disc Ø{ $diameter } × { $thickness } mm
+plan-ring = ring Ø{ $diameter } / Ø{ $bore } × { $thickness } mm
 plan-machine = Equipment
 # Its sections.
 plan-route = 1. Route
@@ -105,6 +107,7 @@ plan-clamps = Clamps { $points }: { $force } N each, screw { $screw }; start poi
 plan-clamps-proposed = Clamps { $points } (proposed): { $force } N each, screw { $screw }; start point at least { $distance } mm from a clamp.
 plan-weak-screw = The screw is too weak: it bears { $bears } N, and { $force } N are needed.
 plan-lies = The left side is then at X{ $x } and the front side at Y{ $y } from the middle of the table, the front side along the slots.
+plan-lies-axis = Its axis is then about X{ $x } Y{ $y } from the middle of the table.
 plan-vice = Set-up { $setup }: vice { $vice }, jaws along { $axis }, opened to { $opened } mm; the part { $on }, { $height } mm over the table.
 plan-on-parallels = on parallels { $height } mm high and { $thickness } mm thick at most
 plan-on-ways = on the ways
@@ -114,7 +117,10 @@ plan-stops = Push it against stops: two at its { $long } side, one at its { $sho
 plan-stops-one = Push it against two stops at its { $long } side.
 plan-once = They are found once: every further part lies against the same stops.
 plan-once-pins = They are found once: every further part sits on the same pins.
+plan-once-axis = On each part anew: nothing but its rim says where its axis is.
+plan-disc-angle = Turn it about its axis until a hole that is made already, off the axis, lies where the drawing turned over has it.
 plan-zero-by-pin = { $frame }: bring the spindle over the round pin with an indicator and read xM, yM: X = xM{ $right }, Y = yM{ $back }; about X{ $x } Y{ $y }.
+plan-zero-by-axis = { $frame }: turn an indicator in the spindle round the rim of the disc, or in its bore, until it stands still, and read xM, yM there: X = xM{ $right }, Y = yM{ $back }; about X{ $x } Y{ $y }.
 plan-turned = Turn the part over for set-up { $setup } about its line along Y: left and right change places, the front side stays in front, and the face of set-up 1 lies down. Made already: { $made }; now from the other face: { $now }.
 plan-turned-first = Lay the part for set-up { $setup } with the first face of the drawing down, turned about its line along Y: left and right change places, the front side stays in front. Made now: { $now }.
 plan-bar-before = T{ $tool }: set its bar to Ø{ $diameter } ({ $holes }) before the program begins.
@@ -156,6 +162,7 @@ plan-keying-cross-elements = On the table: by its cross slot or central hole (1.
 plan-locating-three-planes = The part: by three planes, the one it lies on and two sides (1.9).
 plan-locating-two-planes-and-hole = The part: by two planes and a hole (1.9).
 plan-locating-plane-and-two-holes = The part: by a plane and two fine holes, the most accurate way (1.9).
+plan-locating-plane-and-axis = The part: by its face and its axis; a disc has no sides to lie against.
 plan-clamps-turned = X is counted as the part lies now: the other way than in the drawing.
 plan-keying-play = It costs up to { $play } mm of play*.
 plan-locating-error = It costs { $least } to { $most } mm from part to part*.

@@ -423,6 +423,7 @@ table-value-specialised = specialised
 table-value-universal = universal
 table-value-plane-and-two-holes = a plane and two holes
 table-value-three-planes = three planes
+table-value-plane-and-axis = face and axis
 table-value-held-own = a fixture of the file
 table-value-stage-input = input
 table-value-stage-correctors = correctors

@@ -26,7 +26,7 @@ point-breaks-through = вершина свердла Ø{ $diameter } сягає 
 spot-too-deep = центрувальне заглиблення Ø{ $diameter } завглибшки { $depth } мм, а отвір – { $limit } мм
 countersink-too-deep = торець зенківки для Ø{ $diameter } доходить до { $depth } мм, а глибина отвору { $limit } мм: вона вперлася б у дно
 too-heavy = маса { $mass } кг, а верстат приймає щонайбільше { $limit } кг
-plate-too-heavy = суцільна плита такого розміру має масу { $mass } кг, а верстат приймає щонайбільше { $limit } кг: задайте `mass`, якщо заготовка легша
+plate-too-heavy = суцільна заготовка такого розміру має масу { $mass } кг, а верстат приймає щонайбільше { $limit } кг: задайте `mass`, якщо заготовка легша
 not-planned = { $operation }: цей перехід тут не проєктують
 rows-rejected = рядки за графою «{ $column }»: { $rows }
 # Diameters.

@@ -423,6 +423,7 @@ table-value-specialised = спеціалізоване
 table-value-universal = універсальне
 table-value-plane-and-two-holes = площина й два отвори
 table-value-three-planes = три площини
+table-value-plane-and-axis = торець і вісь
 table-value-held-own = пристосування з файлу
 table-value-stage-input = введення
 table-value-stage-correctors = коректори

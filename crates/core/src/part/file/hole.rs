@@ -5,7 +5,7 @@ use serde::Deserialize;
 use technolog_knowledge::forms;
 
 use super::super::Bottom;
-use super::{Angle, Coordinate, Direction, Name, Size};
+use super::{Angle, Coordinate, Direction, Name, PointOfFace, Size};
 
 forms! {
     /// A group of equal holes.
@@ -41,7 +41,7 @@ forms! {
         pub skin: Option<bool>,
         /// The centres: `[[X, Y], [X, Y]]`, mm.
         #[schemars(length(min = 1))]
-        pub at: Option<Vec<[Coordinate; 2]>>,
+        pub at: Option<Vec<PointOfFace>>,
         /// A pattern of centres instead of `at`.
         pub pattern: Option<Pattern>,
         /// A cone that the hole opens into at the entry.

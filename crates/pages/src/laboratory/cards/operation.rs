@@ -4,10 +4,9 @@ use crate::document::{CellKind, Document, FormCell, FormRow, Inlines};
 use crate::error::KnowledgeError;
 use crate::note::IntoFigure;
 use crate::plan::Transition;
-use crate::words::say;
 
 use super::super::super::sheet::route::{WorkStep, told, work_steps};
-use super::super::super::sheet::{NONE, material, material_of, number};
+use super::super::super::sheet::{NONE, blank_of, material, material_of, number};
 use super::super::norm::marked;
 use super::{Group, Kind, Lang, Line, Sources, TitleBlock};
 use super::{
@@ -73,8 +72,7 @@ fn strips(own: &Sources<'_>, lang: Lang) -> Result<Vec<FormRow>, KnowledgeError>
     let hardness = material(part, own.knowledge)
         .map(|material| format!("HB {}", lang.figure(&material.hardness.into_figure())))
         .unwrap_or_default();
-    let (length, width, thickness) = (part.blank.length, part.blank.width, part.blank.thickness);
-    let profile = say!(lang, "plan-plate", length = length, width = width, thickness = thickness);
+    let profile = blank_of(part, lang);
     let mass = blank_mass(own, lang)?;
     let unit = if mass.is_empty() { none() } else { Inlines::from("166") };
     let coolant = own.job.setups.iter().flat_map(|setup| &setup.works).any(|work| work.coolant);

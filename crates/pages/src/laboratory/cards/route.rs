@@ -5,7 +5,7 @@ use crate::error::KnowledgeError;
 use crate::words::say;
 
 use super::super::super::sheet::route::{WorkStep, told as told_step, work_steps};
-use super::super::super::sheet::{exactly, material_of};
+use super::super::super::sheet::{blank_of, exactly, material_of};
 use super::{Group, Kind, Lang, Sources, TitleBlock};
 use super::{blank_mass, empty, equipment, line, names, page, sheets, text, times, tools_line, value, values};
 
@@ -66,8 +66,7 @@ pub(in super::super) fn card(own: &Sources<'_>, title: &TitleBlock, lang: Lang) 
 /// The lines М01 and М02.
 fn material(own: &Sources<'_>, lang: Lang) -> Result<Vec<FormRow>, KnowledgeError> {
     let part = &own.plan.part;
-    let (length, width, thickness) = (part.blank.length, part.blank.width, part.blank.thickness);
-    let profile = say!(lang, "plan-plate", length = length, width = width, thickness = thickness);
+    let profile = blank_of(part, lang);
     let mass = blank_mass(own, lang)?;
     let none = Inlines::default;
     let unit = if mass.is_empty() { none() } else { Inlines::from("166") };
