@@ -8,8 +8,8 @@ use crate::shop::Shop;
 use crate::tables::cutting::{
     BoringForceFor, Coefficients, Process, ReamerTeethFor, ReamingCondition, ReamingFeedFactorFor,
 };
-use crate::tables::practice::{PracticeFeedFor, PracticeWork, StockBeforeReaming, StockBeforeReamingFor};
-use crate::tables::rules::{ReamingCase, ReamingFeedConditionFor};
+use crate::tables::practice::{PracticeFeed, PracticeFeedFor, PracticeWork, StockBeforeReaming, StockBeforeReamingFor};
+use crate::tables::rules::{HeldTo, ReamingCase, ReamingFeedConditionFor};
 use crate::units::{MetresPerMinute, MillimetresPerRev, round_to};
 
 use super::feed::Feed;
@@ -91,7 +91,7 @@ pub(super) fn limit_for_surface(draft: &mut DraftConditions, cut: &Cut, shop: &S
 }
 
 /// The tabulated feed with the factors of `reaming-feed-factor`. The rule `reaming-feed-condition` says which of them
-/// apply, and whether the feed is at most that of practice (`practice-feed`); in a blind hole it stays within the limits of the table
+/// apply, and by which figure of practice (`practice-feed`) the feed is held; in a blind hole it stays within the limits of the table
 /// of factors.
 pub(super) fn corrected_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Feed, Uncut> {
     held_feed(cut, shop).map(|(feed, _)| feed)
@@ -121,19 +121,24 @@ fn held_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<(Feed, Option<Milli
         }
         blind = Some(row);
     }
-    if rule.within_practice {
+    if rule.practice != HeldTo::Unheld {
         let question = PracticeFeedFor {
             operation: PracticeWork::Ream,
             material_group: shop.material().group,
             diameter: cut.diameter,
         };
         let practice = knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten();
-        if let Some(row) = practice.filter(|row| row.feed_high.0 < feed) {
-            let note =
-                Note::new("reaming-feed-practice").with("table", round_to(feed, 3)).with("feed", row.feed_high.0);
+        let most = |row: &PracticeFeed<'_>| match rule.practice {
+            HeldTo::Least => row.feed_low.0,
+            HeldTo::Usual => row.feed.unwrap_or(row.feed_high).0,
+            HeldTo::Unheld | HeldTo::Most => row.feed_high.0,
+        };
+        if let Some(row) = practice.filter(|row| most(row) < feed) {
+            let held = most(&row);
+            let note = Note::new("reaming-feed-practice").with("table", round_to(feed, 3)).with("feed", held);
             because.push(Because::row(row.row, note));
             held_from = Some(MillimetresPerRev(feed));
-            feed = row.feed_high.0;
+            feed = held;
         }
     }
     if let Some(row) = blind.filter(|_| cut.blind) {

@@ -80,6 +80,8 @@ pub enum Fault {
     TooFast { operation: Operation, value: MetresPerMinute, usual: MetresPerMinute, share: f64 },
     /// The metal is too hard for a tool of high-speed steel.
     TooHard { operation: Operation, hardness: Brinell, limit: f64 },
+    /// The metal is so hard that tools of ordinary high-speed steel live short.
+    Hard { hardness: Brinell, usual: f64, limit: f64 },
     /// The torque exceeds the strength of a thin drill.
     Twists { operation: Operation, drill: Micrometres, value: NewtonMetres, limit: NewtonMetres },
     /// The thrust exceeds the buckling load of a long drill.
@@ -125,6 +127,7 @@ impl Fault {
             | Self::Wall { .. }
             | Self::CastStock { .. }
             | Self::UnderSkin { .. }
+            | Self::Hard { .. }
             | Self::PlateSprings { .. } => Severity::Doubtful,
             _ => Severity::Error,
         }
@@ -189,6 +192,9 @@ impl Fault {
                 .with("usual", round_to(usual.0, 1)),
             Self::TooHard { operation, hardness, limit } => {
                 of("proof-too-hard", operation).with("hardness", hardness.0).with("limit", *limit)
+            }
+            Self::Hard { hardness, usual, limit } => {
+                Note::new("proof-hard").with("hardness", hardness.0).with("usual", *usual).with("limit", *limit)
             }
             Self::Twists { operation, drill, value, limit } => of("proof-twists", operation)
                 .with("drill", drill)

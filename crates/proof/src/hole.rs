@@ -68,6 +68,7 @@ pub fn prove_hole(
     for (at, transition) in transitions.iter().enumerate() {
         walk.step(at, transition)?;
     }
+    walk.faults.extend(tool::hard(transitions, shop)?);
     Ok(walk.faults)
 }
 

@@ -64,11 +64,25 @@ pub(crate) fn limit(name: ProofLimit, shop: &Shop<'_>) -> Result<f64, KnowledgeE
 
 /// Checks that high-speed steel is not asked to cut what is as hard as a tool.
 fn too_hard(transition: &Transition, shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
-    let table = shop.shelf.cutters().iter().find(|table| table.table.id == transition.tool.table);
-    let steel = table.is_some_and(|table| table.head.material == ToolMaterial::HighSpeedSteel);
+    let steel = of_steel(transition, shop);
     let (hardness, limit) = (Brinell(shop.material.hardness), limit(ProofLimit::HardestForSteel, shop)?);
     let operation = transition.operation;
     Ok((steel && hardness.0.to_f64() > limit).then_some(Fault::TooHard { operation, hardness, limit }))
+}
+
+/// Tells once of a hole whose tools of high-speed steel cut what is harder than they usually do.
+pub(crate) fn hard(transitions: &[Transition], shop: &Shop<'_>) -> Result<Option<Fault>, KnowledgeError> {
+    let hardness = Brinell(shop.material.hardness);
+    let (usual, limit) = (limit(ProofLimit::HardForSteel, shop)?, limit(ProofLimit::HardestForSteel, shop)?);
+    let own = hardness.0.to_f64();
+    let steel = transitions.iter().filter(|one| !one.elsewhere).any(|one| of_steel(one, shop));
+    Ok((steel && own > usual && own <= limit).then_some(Fault::Hard { hardness, usual, limit }))
+}
+
+/// Whether the tool of a transition is of high-speed steel; of one that is in no catalog nothing is known.
+fn of_steel(transition: &Transition, shop: &Shop<'_>) -> bool {
+    let table = shop.shelf.cutters().iter().find(|table| table.table.id == transition.tool.table);
+    table.is_some_and(|table| table.head.material == ToolMaterial::HighSpeedSteel)
 }
 
 /// Checks that the speed is not above shop practice for such a tool.

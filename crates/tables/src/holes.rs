@@ -82,6 +82,7 @@ vocabulary! {
         TapClampDiameters = "tap-clamp-diameters",
         ThreadRunoutPitches = "thread-runout-pitches",
         TapLeadPitches = "tap-lead-pitches",
+        BottomingTapLeadPitches = "bottoming-tap-lead-pitches",
         LeastStockDrillOut = "least-stock-drill-out-mm",
         LeastStockCoreDrill = "least-stock-core-drill-mm",
         LeastStockMill = "least-stock-mill-mm",

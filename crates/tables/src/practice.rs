@@ -221,6 +221,7 @@ rows! {
         diameter: Micrometres,
     } {
         feed_low: MillimetresPerRev,
+        feed: Option<MillimetresPerRev>,
         feed_high: MillimetresPerRev,
     } shown { pages }
 
@@ -278,6 +279,7 @@ vocabulary! {
         LeastFloorShare = "least-floor-share",
         CoreDrillLips = "core-drill-lips",
         HardestForSteel = "hardest-for-high-speed-steel",
+        HardForSteel = "hard-for-high-speed-steel",
         LeastWall = "least-wall",
         LeastWallShare = "least-wall-share",
         CastHoleStock = "cast-hole-stock",

@@ -317,7 +317,7 @@ rows! {
         roughness: Option<Roughness>,
     } {
         conditions: Vec<ReamingCondition>,
-        within_practice: bool,
+        practice: HeldTo,
     }
 
     /// Drilling into an unmachined face.

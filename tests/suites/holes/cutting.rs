@@ -274,10 +274,10 @@ fn reaming_by_hand() {
     // No faster than a rough reamer that takes 0.5 mm, at 1 mm/rev: 10.5·2.456 / (4.373·0.25^0.2·1)·1.2224 = 9.51 m/min,
     // 151 1/min, which the step of 160 would be: 125, 7.85 m/min.
     near(found.speed_m_per_min.0, 7.854);
-    // A finer surface would be fed 0.7 from Ra 0.8 on, more than practice; a pass before the last, or a coarse surface, as
+    // A finer surface takes the least of practice, 8·0.002·25.4 = 0.406; a pass before the last, or a coarse surface, as
     // tabulated. Blind: at most 0.5.
     let feed = |cut: Cut, material: &str| conditions(&cut, material).feed_mm_per_rev.0;
-    near(feed(Cut { roughness: "Ra 0.8".parse().ok(), ..last }, "steel-45"), 0.61);
+    near(feed(Cut { roughness: "Ra 0.8".parse().ok(), ..last }, "steel-45"), 0.406);
     near(feed(Cut { roughness: "Ra 12.5".parse().ok(), ..last }, "steel-45"), 1.0);
     near(feed(Cut { roughness: None, ..last }, "steel-45"), 1.0);
     near(feed(Cut { blind: true, ..last }, "steel-45"), 0.5);
@@ -295,8 +295,8 @@ fn reaming_by_hand() {
     near(iron.feed_mm_per_rev.0, 1.219);
     near(iron.torque_n_m.unwrap().0, 1.829);
     assert!(codes(&iron).contains(&"stand-in-tool-material"));
-    // Aluminium is fed as soft iron by the handbook, 0.8·2.6 = 2.08; in practice at most 8·0.008·25.4 = 1.626.
-    near(feed(last, "aluminium-d16"), 1.626);
+    // Aluminium is fed as soft iron by the handbook, 0.8·2.6 = 2.08; in practice usually 8·0.0025·25.4 = 0.508.
+    near(feed(last, "aluminium-d16"), 0.508);
 }
 
 /// A counterbore of Ø15 over Ø8 in brass (HB 80, group 26 of VDI 3323: kc1 700 MPa, mc 0.27) with four lips at 0.21 mm/rev:

@@ -235,14 +235,16 @@ fn a_second_drill_keeps_the_axis_of_the_first() {
 }
 
 /// M12 × 20 in a plate of 30: four pitches of run-out and the point of Ø10.2 are 20 + 7 + 3.06 > 30, but the lead of the tap is three
-/// pitches: 20 + 5.25 + 3.06 = 28.3. In a plate of 28 there is no room.
+/// pitches: 20 + 5.25 + 3.06 = 28.3. In a plate of 28 a bottoming tap, with a lead of two, has room: 20 + 3.5 + 3.06 = 26.6; in one of
+/// 26 nothing has.
 #[test]
 fn a_short_run_out_is_taken_where_the_usual_one_has_no_room() {
     let keys = "thread: M12, depth: 20, roughness: Ra 6.3, centre_tolerance: 0.3";
     let drilled = |plan: &Plan| steps(plan).iter().find(|step| step.operation == Operation::Drill).unwrap().depth_mm;
     assert_eq!(drilled(&honest("aluminium-d16", "30", keys)), mm(25.25));
     assert_eq!(drilled(&honest("aluminium-d16", "40", keys)), mm(27.0));
-    assert!(plan("aluminium-d16", "28", keys).holes[0].route.is_none());
+    assert_eq!(drilled(&honest("aluminium-d16", "28", keys)), mm(23.5));
+    assert!(plan("aluminium-d16", "26", keys).holes[0].route.is_none());
 }
 
 /// A bar set to the nominal size of a field H stands at its lower limit: the least spring leaves the hole too small. IT7 of 60 is
@@ -264,7 +266,8 @@ fn a_bar_is_set_to_the_middle_of_the_field() {
 }
 
 /// The machine tap M10 of DIN 376 has a shank of 7 mm, which follows the thread in: of its 100 mm the chuck has two shanks, 14, stays
-/// 5 over the face, and the lead takes 3 pitches: 76.5 mm of thread, whatever machine drives it. Under M10 × 15 in 22 mm the drill would come out: 15 + 4.5 + 2.55 (the point of Ø8.5).
+/// 5 over the face, and the lead of a bottoming tap takes 2 pitches: 78 mm of thread, whatever machine drives it. Under M10 × 16 in
+/// 22 mm too little floor stays: 16 + 3 + 2.55 (the point of Ø8.5).
 #[test]
 fn a_hole_that_nothing_makes_names_the_nearest_depth() {
     let nearest = |thickness: &str, keys: &str| {
@@ -273,14 +276,14 @@ fn a_hole_that_nothing_makes_names_the_nearest_depth() {
         let found = plan.findings.iter().find(|finding| finding.note.code() == "nearest-depth");
         found.unwrap_or_else(|| panic!("{keys}: {:?}", plan.findings)).note.figure_text("depth").unwrap()
     };
-    assert_eq!(nearest("120", "thread: M10-6H, depth: 80, centre_tolerance: 0.3"), "76");
-    assert_eq!(nearest("22", "thread: M10-6H, depth: 16, centre_tolerance: 0.3"), "14");
+    assert_eq!(nearest("120", "thread: M10-6H, depth: 80, centre_tolerance: 0.3"), "78");
+    assert_eq!(nearest("22", "thread: M10-6H, depth: 16, centre_tolerance: 0.3"), "15");
     let deep: f64 =
         nearest("170", "diameter: 12H7, depth: 145, roughness: Ra 1.6, centre_tolerance: 0.3").parse().unwrap();
     // The core drill Ø12 of A.18b has 101 mm; deeper the reamers follow the drill, and the long one Ø12 stands out 137.8 mm.
     assert!((120.0..=137.8).contains(&deep), "{deep}");
-    honest("steel-45", "120", "thread: M10-6H, depth: 76, centre_tolerance: 0.3");
-    honest("steel-45", "22", "thread: M10-6H, depth: 14, centre_tolerance: 0.3");
+    honest("steel-45", "120", "thread: M10-6H, depth: 78, centre_tolerance: 0.3");
+    honest("steel-45", "22", "thread: M10-6H, depth: 15, centre_tolerance: 0.3");
 }
 
 /// A reamer is ordered by its size and its field: 20F8 (20.020 to 20.053) is made by one for H9, and by no finer one.

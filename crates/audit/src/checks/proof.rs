@@ -39,6 +39,7 @@ pub(super) fn check<'a>(
                 | Fault::Overload { .. }
                 | Fault::TooFast { .. }
                 | Fault::TooHard { .. }
+                | Fault::Hard { .. }
                 | Fault::Twists { .. }
                 | Fault::Buckles { .. }
                 | Fault::FlutesClose { .. }

@@ -140,7 +140,7 @@ fn depth(
     };
     if stated < hole.depth {
         say(Severity::Wrong, "audit-thread-short", figure);
-    } else if blind && stated < hole.depth + pitches(HoleDefault::TapLeadPitches)? {
+    } else if blind && stated < hole.depth + pitches(HoleDefault::BottomingTapLeadPitches)? {
         say(Severity::Doubtful, "audit-thread-runout", figure);
     } else if !blind && stated != right && !hole.through {
         say(Severity::Wrong, "audit-thread-deep", figure);

@@ -6,10 +6,11 @@ use crate::cutting;
 use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::units::Percent;
 use crate::note::{Because, Note, Severity};
-use crate::plan::{CuttingMethod, Operation};
+use crate::plan::{CuttingMethod, Operation, Transition};
 use crate::tables::audit::{AuditSpindleFor, Constant as Known, Constants};
 use crate::tables::cutting::CardCorrections;
 use crate::tables::machines::MachineQuantity;
+use crate::tables::practice::{PracticeFeedFor, PracticeWork};
 use crate::tables::rules::SpindleStep;
 use crate::units::{RevsPerMinute, round_to};
 
@@ -263,7 +264,7 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
         let Some(reference) = context.reference(*first) else { continue };
         let own = &reference.conditions;
         let figures = [
-            (Q::Feed, Some(own.feed_mm_per_rev.0)),
+            (Q::Feed, Some(most_fed(context, reference)?)),
             (Q::Speed, Some(own.computed_speed_m_per_min.0)),
             (Q::Travel, Some(reference.travel_mm.to_mm())),
             (Q::Force, own.axial_force_n.map(|force| force.0)),
@@ -277,6 +278,19 @@ pub(super) fn by_tables(context: &Context<'_>) -> Result<BTreeMap<Id, f64>, Know
     }
     known.insert(Id::new(Scope::Times, Q::RapidTime), context.plan.time.rapid_min.0);
     Ok(known)
+}
+
+/// The feed by which that of a transition is judged, mm/rev: our own, or for a reamer of another's plan the most of practice, because
+/// where ours takes less for the surface, that is no mistake of theirs.
+fn most_fed(context: &Context<'_>, reference: &Transition) -> Result<f64, KnowledgeError> {
+    let own = reference.conditions.feed_mm_per_rev.0;
+    if context.stated.is_own || !reference.operation.is_reaming() {
+        return Ok(own);
+    }
+    let (material_group, diameter) = (context.shop.material.group, reference.diameter_mm);
+    let question = PracticeFeedFor { operation: PracticeWork::Ream, material_group, diameter };
+    let row = context.shop.knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten();
+    Ok(row.map_or(own, |row| own.max(row.feed_high.0)))
 }
 
 /// The feed of the table, mm/rev, of a drill that our own plan does not have. How well its hole is to be nobody says then: where a reamer

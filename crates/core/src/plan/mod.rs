@@ -412,6 +412,9 @@ pub struct ToolPlan {
     /// The diameter of the catalog that it is ground down from, mm; absent if it is used as it is bought.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ground_from_mm: Option<Micrometres>,
+    /// The diameter of the exchangeable pilot that guides a counterbore in the hole before it, mm; absent for other tools.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pilot_mm: Option<Micrometres>,
     /// The grade of the field H that a finishing reamer is bought for; absent for other tools.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bought_for_h: Option<ItGrade>,

@@ -50,6 +50,11 @@ pub(super) struct Fitted {
 }
 
 impl Fitted {
+    /// The depth of its tip at the end of its travel.
+    pub fn end(&self) -> Micrometres {
+        self.step.place.start + self.travel - self.approach
+    }
+
     /// The transition as a plan has it, with its tool number; the tool of a centring spot may not be chosen yet.
     pub fn transition(&self, number: u32) -> Transition {
         let mut because = self.because.clone();
@@ -100,6 +105,8 @@ pub(super) struct FittedTool {
     pub size: Micrometres,
     /// The catalog diameter, where the cutter is ground down from it.
     pub ground_from: Option<Micrometres>,
+    /// The hole that the pilot of a counterbore fits, where the catalog's has a bore for one.
+    pub pilot: Option<Micrometres>,
     /// Whether it is a mill whose end teeth reach its middle.
     pub centre_cutting: bool,
     /// The assembly; its reasons are among those below.
@@ -172,8 +179,8 @@ pub(super) struct Fitting<'p, 'k> {
     thickness: Micrometres,
     /// How far a holder must stay over the face.
     over_face: Micrometres,
-    /// Lead of a tap, pitches.
-    tap_lead: f64,
+    /// Lead of the tap, pitches, and its convention.
+    tap_lead: (f64, HoleDefault),
     known: RefCell<BTreeMap<StepKey, Result<ToolAndConditions, Reason>>>,
     /// The conditions of centring spots computed so far.
     spots: RefCell<BTreeMap<SpotKey, Rc<Conditions>>>,
@@ -224,11 +231,17 @@ impl<'p, 'k> Fitting<'p, 'k> {
             reamer_chip_room: shop.convention(HoleDefault::ReamerChipRoom)?,
             thickness: part.blank.thickness,
             over_face: holder_over_face(knowledge)?,
-            tap_lead: shop.share(HoleDefault::TapLeadPitches)?,
+            tap_lead: (shop.share(HoleDefault::TapLeadPitches)?, HoleDefault::TapLeadPitches),
             known: RefCell::new(BTreeMap::new()),
             spots: RefCell::new(BTreeMap::new()),
             single_drills: RefCell::new(BTreeMap::new()),
         })
+    }
+
+    /// Taps with the lead of that convention.
+    pub fn taps_with(&mut self, lead: HoleDefault) -> Result<(), KnowledgeError> {
+        self.tap_lead = (self.shop.share(lead)?, lead);
+        Ok(())
     }
 
     /// Fits the steps of a hole in their order; the first step that cannot be fitted gives the reason.
@@ -335,7 +348,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
         match step.operation {
             // It is in the reasons of its route and its passes.
             _ if self.hole.slot.is_some() => {}
-            Operation::Tap => cite(HoleDefault::TapLeadPitches, Note::new("tap-lead").with("lead", self.lead(step)))?,
+            Operation::Tap => cite(self.tap_lead.1, Note::new("tap-lead").with("lead", self.lead(step)))?,
             Operation::Mill if tool.centre_cutting && (step.levels || tool.diameter >= step.from) => {
                 let note = Note::new("mill-cuts-down").with("percent", self.floor_mill_share * 100.0);
                 cite(HoleDefault::FloorMillShare, note)?;
@@ -357,9 +370,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
             Operation::Drill | Operation::DrillOut if main && self.hole.thread.is_some() && !step.place.through => {
                 let run_out = step.place.depth - self.hole.depth;
                 let pitch = self.hole.thread.as_ref().map_or(0.0, |thread| thread.pitch.to_mm());
-                let lead = Micrometres::from_mm_rounded(pitch * self.tap_lead);
-                let short = run_out <= lead;
-                let name = if short { HoleDefault::TapLeadPitches } else { HoleDefault::ThreadRunoutPitches };
+                let (lead, lead_name) = self.tap_lead;
+                let short = run_out <= Micrometres::from_mm_rounded(pitch * lead);
+                let name = if short { lead_name } else { HoleDefault::ThreadRunoutPitches };
                 let code = if short { "thread-runout-short" } else { "thread-runout" };
                 let usual = Micrometres::from_mm_rounded(pitch * self.shop.share(HoleDefault::ThreadRunoutPitches)?);
                 let note = Note::new(code).with("runout", run_out);
@@ -466,6 +479,7 @@ impl<'p, 'k> Fitting<'p, 'k> {
             front: cutter.row.tip_diameter,
             size: if fixed_size(step.operation) { cutter.diameter } else { step.diameter },
             ground_from: (grinds && cutter.diameter > step.diameter.min(step.nominal)).then_some(cutter.diameter),
+            pilot: cutter.row.pilot_bore.filter(|_| step.operation == Operation::Counterbore).map(|_| step.from),
             centre_cutting: cutter.head.centre_cutting,
             assembly,
             because,

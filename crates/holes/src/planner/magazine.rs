@@ -56,6 +56,7 @@ pub(super) fn choose_centre_drill(
             diameter: cutter.diameter,
             front: cutter.row.tip_diameter,
             ground_from: None,
+            pilot: None,
             centre_cutting: false,
             size: cutter.diameter,
             assembly,
@@ -92,6 +93,7 @@ fn same_tool(a: &FittedTool, b: &FittedTool) -> bool {
         && a.table == b.table
         && a.size == b.size
         && a.ground_from == b.ground_from
+        && a.pilot == b.pilot
         && a.assembly.holder == b.assembly.holder
 }
 
@@ -148,6 +150,7 @@ pub(super) fn number_tools(
             table: tool.table.clone(),
             diameter_mm: tool.size,
             ground_from_mm: tool.ground_from,
+            pilot_mm: tool.pilot,
             bought_for_h: bought_for(tool, &drafts),
             holder: tool.assembly.holder.clone(),
             holder_table: tool.assembly.holder_table.clone(),

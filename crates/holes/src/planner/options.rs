@@ -16,6 +16,7 @@ use crate::route::scheme::{self, SchemeQuestion};
 use crate::route::{Candidate, Remark, RouteStep, accuracy, openings};
 use crate::shop::Shop;
 use crate::tables::holes::{HoleDefault, StagedHole};
+use crate::tables::practice::{ProofLimit, ProofLimits};
 use crate::tables::rules::{BoringAsked, BoringForPositionFor, ToolTables};
 use crate::tooling::DrillSize;
 use crate::units::{Micrometres, Minutes};
@@ -203,7 +204,8 @@ pub(super) fn options(
 
 /// Every route of a group of holes on this machine. A free floor is made flat where no route leaves the cone of a drill: its
 /// point may come through the part, and what a flat floor permits is permitted by a free one. Under a blind thread without room
-/// for the usual run-out the drill goes deeper by the lead of the tap alone, and no less.
+/// for the usual run-out, or where that leaves less floor than there should be, the drill goes deeper by the lead of the tap alone;
+/// where that does not go either, by the lead of a bottoming tap, and no less.
 ///
 /// # Errors
 /// As for [`options`].
@@ -217,16 +219,29 @@ fn options_here(
     let meets = |options: &Options| options.choices.iter().any(Choice::meets_requirements);
     let usual = HoleDefault::ThreadRunoutPitches;
     let own = options_as_drawn(hole, part, preference, usual, drills, shop)?;
-    if let Some(thread) = hole.thread.as_ref().filter(|_| !hole.through && own.choices.is_empty()) {
-        // Where this does not go either, the refusal is that of the lead: no depth less than that makes the thread.
-        let lead = HoleDefault::TapLeadPitches;
-        let mut short = options_as_drawn(hole, part, preference, lead, drills, shop)?;
-        if !short.choices.is_empty() {
-            let pitch = |name| Ok(Micrometres::from_mm_rounded(thread.pitch.to_mm() * shop.share(name)?));
-            let note = Note::new("thread-runout-short").with("runout", pitch(lead)?);
-            short.remarks.push(note.with("usual", pitch(usual).map_err(Refusal::Knowledge)?));
+    if let Some(thread) = hole.thread.as_ref().filter(|_| !hole.through) {
+        if !own.choices.is_empty() && !leaves_thin_floor(&own, part, shop)? {
+            return Ok(own);
         }
-        return Ok(short);
+        let pitch = |name| Ok(Micrometres::from_mm_rounded(thread.pitch.to_mm() * shop.share(name)?));
+        let mut refused = None;
+        for (lead, code) in [
+            (HoleDefault::TapLeadPitches, "thread-runout-short"),
+            (HoleDefault::BottomingTapLeadPitches, "thread-bottoming-tap"),
+        ] {
+            let mut short = options_as_drawn(hole, part, preference, lead, drills, shop)?;
+            if !short.choices.is_empty() {
+                let note = Note::new(code).with("runout", pitch(lead)?);
+                short.remarks.push(note.with("usual", pitch(usual).map_err(Refusal::Knowledge)?));
+                return Ok(short);
+            }
+            if !own.choices.is_empty() {
+                return Ok(own);
+            }
+            refused = Some(short);
+        }
+        // The refusal is that of the shortest lead: no depth less than that makes the thread.
+        return Ok(refused.unwrap_or(own));
     }
     if hole.through || hole.thread.is_some() || hole.bottom == Bottom::Flat || meets(&own) {
         return Ok(own);
@@ -240,6 +255,16 @@ fn options_here(
     Ok(flat)
 }
 
+/// Whether every route leaves less floor under the point of its drill than there should be (table `proof-limits`).
+fn leaves_thin_floor(options: &Options, part: &Part, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+    let name = ProofLimit::LeastFloor;
+    let least = shop.knowledge.need(name.name(), |row: &ProofLimits<'_>| row.name.is(name))?.value;
+    let most = part.blank.thickness - Micrometres::from_mm_rounded(least);
+    let drilled = |fitted: &Fitted| matches!(fitted.step.operation, Operation::Drill | Operation::DrillOut);
+    let thin = |choice: &Choice| choice.steps.iter().filter(|fitted| drilled(fitted)).any(|fitted| fitted.end() > most);
+    Ok(options.choices.iter().all(thin))
+}
+
 fn options_as_drawn(
     hole: &Hole,
     part: &Part,
@@ -249,7 +274,11 @@ fn options_as_drawn(
     shop: &Shop<'_>,
 ) -> Tried<Options> {
     let task = bores::task_with_run_out(hole, part, run_out, shop)?;
-    let fitting = Fitting::new(hole, &task.edges, part, shop)?;
+    let mut fitting = Fitting::new(hole, &task.edges, part, shop)?;
+    if run_out == HoleDefault::BottomingTapLeadPitches {
+        fitting.taps_with(run_out)?;
+    }
+    let fitting = fitting;
     let main = &task.main;
     let mut drills = Vec::new();
     for size in all_drills {

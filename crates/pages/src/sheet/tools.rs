@@ -55,9 +55,10 @@ pub(crate) fn named(tool: &ToolPlan, mark: &str, lang: Lang) -> String {
         Some(from) => {
             say!(lang, "plan-ground", designation = designation, from = from, to = tool.diameter_mm).to_owned()
         }
-        None => match tool.bought_for_h {
-            Some(grade) => say!(lang, "plan-bought", designation = designation, it = grade).to_owned(),
-            None => designation,
+        None => match (tool.bought_for_h, tool.pilot_mm) {
+            (Some(grade), _) => say!(lang, "plan-bought", designation = designation, it = grade).to_owned(),
+            (None, Some(pilot)) => say!(lang, "plan-pilot", designation = designation, pilot = pilot).to_owned(),
+            (None, None) => designation,
         },
     }
 }

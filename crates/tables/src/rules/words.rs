@@ -324,6 +324,14 @@ vocabulary! {
         PracticeHigh = "practice-high",
     }
 
+    /// The figure of practice that a feed does not exceed.
+    pub enum HeldTo {
+        Unheld = "unheld",
+        Least = "least",
+        Usual = "usual",
+        Most = "most",
+    }
+
     /// The limit of a tolerance field that its fundamental deviation gives.
     pub enum FieldBegins {
         Upper = "upper",

@@ -185,6 +185,7 @@ characteristic-reamer-lead-share = lead of a reamer
 characteristic-tap-clamp-diameters = clamped length of a tap, diameters
 characteristic-thread-runout-pitches = depth beyond a thread, pitches
 characteristic-tap-lead-pitches = lead of a tap, pitches
+characteristic-bottoming-tap-lead-pitches = lead of a bottoming tap, pitches
 characteristic-least-stock-drill-out-mm = least stock of drilling out, mm
 characteristic-least-stock-core-drill-mm = least stock of core drilling, mm
 characteristic-least-stock-mill-mm = least stock of milling, mm

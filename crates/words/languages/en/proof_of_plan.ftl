@@ -50,6 +50,7 @@ chain-fails = along { $axis } from { $from } the chain does not close: { $sum } 
 chain-without-size = along { $axis } from { $from } the chain with { $tolerance } mm is not known to close: the zero is found at the opposite side, and nobody says the tolerance of the size between them: give it under `dimensions`, from side to side
 chain-without-locating = along { $axis } from { $from } the chain with { $tolerance } mm is not known to close: how far the part is off in a fixture of your own nobody says
 proof-too-hard = { $operation }: HB { $hardness } > HB { $limit }, where tools of high-speed steel end; carbide is needed, and the catalogs have no such tool here
+proof-hard = HB { $hardness } > HB { $usual }: tools of ordinary high-speed steel cut it slowly and live short, and end at HB { $limit }; cobalt steel or carbide is the usual choice
 proof-too-fast = { $operation }: speed { $value } m/min > { $percent } % of the upper end of practice, { $usual } m/min
 proof-twists = { $operation }: torque { $value } N·m > { $limit } N·m that the drill of Ø{ $drill } bears
 proof-buckles = { $operation }: thrust { $value } N > { $limit } N that the drill of Ø{ $drill } with flutes of { $flutes } mm bears without buckling

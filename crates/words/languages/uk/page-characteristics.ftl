@@ -185,6 +185,7 @@ characteristic-reamer-lead-share = забірна частина розверт�
 characteristic-tap-clamp-diameters = затиск мітчика, діаметрів
 characteristic-thread-runout-pitches = запас глибини під різь, кроків
 characteristic-tap-lead-pitches = забірна частина мітчика, кроків
+characteristic-bottoming-tap-lead-pitches = забірна частина короткого мітчика, кроків
 characteristic-least-stock-drill-out-mm = найменший припуск розсвердлювання, мм
 characteristic-least-stock-core-drill-mm = найменший припуск зенкерування, мм
 characteristic-least-stock-mill-mm = найменший припуск фрезерування, мм

@@ -289,6 +289,7 @@ impl Making<'_, '_, '_> {
             table: String::new(),
             diameter_mm: self.length_of(row, Q::Diameter).unwrap_or_default(),
             ground_from_mm: None,
+            pilot_mm: None,
             bought_for_h: None,
             holder: String::new(),
             holder_table: String::new(),

@@ -73,7 +73,7 @@ impl Fitting<'_, '_> {
             Operation::CoreDrill => cone(step.diameter - step.from, self.core_drill_point),
             Operation::RoughReam | Operation::FinishReam => self.reamer_lead(step.diameter - step.from),
             // The thread is full only behind the tap's lead.
-            Operation::Tap => Micrometres::from_mm_rounded(step.pitch.unwrap_or_default().to_mm() * self.tap_lead),
+            Operation::Tap => Micrometres::from_mm_rounded(step.pitch.unwrap_or_default().to_mm() * self.tap_lead.0),
             _ => Micrometres::ZERO,
         }
     }
