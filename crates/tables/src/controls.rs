@@ -69,6 +69,12 @@ vocabulary! {
         TapFeedNear = "tap-feed-near",
         /// How many times the feed of the cuts beside it a feed may be.
         FeedBesideMost = "feed-beside-most",
+        /// How many pitches a tap may come out of a through hole farther than the drill before it.
+        TapBeyondDrill = "tap-beyond-drill",
+        /// The greatest feed of a turn, mm.
+        FeedOfTurnMost = "feed-of-turn-most",
+        /// The least feed of a minute, mm.
+        FeedOfMinuteLeast = "feed-of-minute-least",
         /// How far around its cuts a program has made room, mm.
         CutsAround = "cuts-around",
         /// The time to put a tool into the magazine by hand, min.
@@ -90,8 +96,9 @@ impl Convention {
             | Self::SupportRoom
             | Self::KneeStep
             | Self::PeckMost
+            | Self::FeedOfTurnMost
             | Self::CutsAround => "mm",
-            Self::FeedStep => "mm/min",
+            Self::FeedStep | Self::FeedOfMinuteLeast => "mm/min",
             Self::DwellStep | Self::DwellInHoleMost | Self::DwellLeast | Self::DwellMost => "s",
             Self::LoadToolTime | Self::SetBarTime | Self::TurnOverTime => "min",
             Self::BlockNumberStep
@@ -100,6 +107,7 @@ impl Convention {
             | Self::Overlong
             | Self::DwellTurnsLeast
             | Self::TapFeedNear
+            | Self::TapBeyondDrill
             | Self::FeedBesideMost => "1",
         }
     }

@@ -38,6 +38,14 @@ pub(super) struct Habits {
     pub coarse: Vec<(f64, f64)>,
     /// The words of comments that name a tap.
     pub of_taps: Vec<String>,
+    /// The words of comments that name a tool of edges.
+    pub of_edges: Vec<String>,
+    /// How many pitches a tap may come out of a through hole farther than the drill before it.
+    pub tap_beyond: f64,
+    /// The greatest feed of a turn, mm.
+    pub feed_of_turn: f64,
+    /// The least feed of a minute, mm.
+    pub feed_of_minute: f64,
     /// How many times the feed of the cuts beside it a feed may be.
     pub feed_beside: f64,
     /// How far around its cuts a program has made room, mm.
@@ -63,12 +71,11 @@ impl Habits {
             tap_near: figure(Convention::TapFeedNear)?,
             pitches: knowledge.rows::<ThreadRunOut<'_>>()?.into_iter().map(|row| row.pitch.to_mm()).collect(),
             coarse: knowledge.rows::<CoarseThread<'_>>()?.into_iter().filter_map(|row| size(&row)).collect(),
-            of_taps: knowledge
-                .rows::<ProgramWords<'_>>()?
-                .into_iter()
-                .filter(is_of_tap)
-                .map(|row| row.word.to_owned())
-                .collect(),
+            of_taps: words_of(knowledge, &[ToolKind::Tap])?,
+            of_edges: words_of(knowledge, &[ToolKind::Chamfer, ToolKind::Countersink, ToolKind::Centring])?,
+            tap_beyond: figure(Convention::TapBeyondDrill)?,
+            feed_of_turn: figure(Convention::FeedOfTurnMost)?,
+            feed_of_minute: figure(Convention::FeedOfMinuteLeast)?,
             feed_beside: figure(Convention::FeedBesideMost)?,
             cuts_around: figure(Convention::CutsAround)?,
             by_offset: false,
@@ -96,8 +103,11 @@ impl Habits {
     }
 }
 
-fn is_of_tap(row: &ProgramWords<'_>) -> bool {
-    row.kind == Some(ToolKind::Tap)
+/// The words of comments that name tools of these kinds.
+fn words_of(knowledge: &Knowledge, kinds: &[ToolKind]) -> Result<Vec<String>, KnowledgeError> {
+    let rows = knowledge.rows::<ProgramWords<'_>>()?.into_iter();
+    let named = rows.filter(|row| row.kind.is_some_and(|kind| kinds.contains(&kind)));
+    Ok(named.map(|row| row.word.to_owned()).collect())
 }
 
 /// The size of a coarse thread and its pitch, mm.
@@ -120,6 +130,16 @@ struct Cut {
     own: bool,
     /// Whether the operator could set the zero anew.
     stopped: bool,
+    /// How often the program had stopped: at a stop another tool may come into a place.
+    stops: usize,
+}
+
+/// The register of the radius that a tool has.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Radius {
+    pub tool: u32,
+    pub register: u32,
+    pub block: BlockRef,
 }
 
 /// A feed straight down.
@@ -154,6 +174,7 @@ pub(super) struct Watch {
     /// Whether the offset was set since the tool came.
     own: bool,
     stopped: bool,
+    stops: usize,
     cuts: Vec<Cut>,
     told: Vec<Told>,
 }
@@ -173,6 +194,7 @@ impl Watch {
             offset: (Some(0), Micrometres::ZERO),
             own: false,
             stopped: false,
+            stops: 0,
             cuts: Vec::new(),
             told: Vec::new(),
         }
@@ -210,7 +232,10 @@ impl Watch {
                 self.offset = (*corrector, *value);
                 self.own = true;
             }
-            Motion::Stop { .. } => self.stopped = true,
+            Motion::Stop { .. } => {
+                self.stopped = true;
+                self.stops += 1;
+            }
             _ => {}
         }
     }
@@ -298,6 +323,7 @@ impl Watch {
             offset: self.offset,
             own: self.own,
             stopped: self.stopped,
+            stops: self.stops,
         });
     }
 
@@ -332,10 +358,65 @@ impl Watch {
     }
 
     /// What is told of the run, in no order.
-    pub fn finish(mut self) -> Vec<Told> {
+    pub fn finish(mut self, radii: &[Radius]) -> Vec<Told> {
         self.fed(None);
         self.offsets();
+        self.two_lengths();
+        self.radii(radii);
         self.told
+    }
+
+    /// The cuts with a register of a length, each with it.
+    fn lengths(&self) -> impl Iterator<Item = (u32, &Cut)> + '_ {
+        self.cuts.iter().filter_map(|cut| Some((cut.offset.0.filter(|number| *number > 0)?, cut)))
+    }
+
+    /// A tool that comes again with another register than before. A second one beside the first is that of another edge, and so
+    /// may be one as far off as that of another tool; at a stop another tool may have come into its place.
+    fn two_lengths(&mut self) {
+        let lengths: Vec<(u32, &Cut)> = self.lengths().collect();
+        let mut told = Vec::new();
+        for (number, cut) in &lengths {
+            let own = || lengths.iter().filter(|(_, other)| other.tool == cut.tool);
+            let others = || lengths.iter().filter(|(_, other)| other.tool != cut.tool);
+            let Some((known, first)) = own().find(|(_, other)| other.section < cut.section) else { continue };
+            let beside = own().any(|(other, at)| {
+                (at.section == cut.section && other == known) || (at.section == first.section && other == number)
+            });
+            let habit = others().any(|(low, one)| {
+                let apart = |high: &u32| number > known && high.checked_sub(*low) == Some(number - known);
+                others().any(|(high, other)| one.tool == other.tool && apart(high))
+            });
+            let of_other = others().any(|(other, _)| other == number);
+            if number != known && first.stops == cut.stops && !beside && !habit && !of_other {
+                let note = Note::new("two-lengths").with("tool", cut.tool).with("corrector", *number);
+                told.push((cut.block, "two-lengths", note.with("other", *known)));
+            }
+        }
+        told.into_iter().for_each(|(block, code, note)| self.tell(block, code, note));
+    }
+
+    /// A radius of another tool: its register has been that of one, or has its number where tools have those of their numbers.
+    fn radii(&mut self, radii: &[Radius]) {
+        let tools: BTreeSet<u32> = self.cuts.iter().map(|cut| cut.tool).collect();
+        let by_number = radii.iter().any(|radius| radius.register == radius.tool)
+            || self.lengths().any(|(number, cut)| cut.tool == number);
+        let mut told = Vec::new();
+        for (index, Radius { tool, register, block }) in
+            radii.iter().enumerate().filter(|(_, it)| it.register != it.tool)
+        {
+            let of = |other: &&Radius| other.register == *register && other.tool != *tool;
+            let own = radii.iter().filter(of).find(|other| other.tool == other.register);
+            let before = radii.iter().take(index).find(of);
+            let named = Some(*register).filter(|number| by_number && tools.contains(number));
+            let other = own.or(before).map(|other| other.tool).or(named);
+            if let Some(other) = other.filter(|other| other != tool) {
+                let code = "radius-of-other-tool";
+                let note = Note::new(code).with("tool", *tool).with("corrector", *register).with("other", other);
+                told.push((*block, code, note));
+            }
+        }
+        told.into_iter().for_each(|(block, code, note)| self.tell(block, code, note));
     }
 
     /// Cuts without an offset where others have one, and with that of another tool.

@@ -1,14 +1,15 @@
 //! What a program does below its zero, which as a rule lies on the face of the part: rapids down where it has cut nothing yet, and
 //! feeds that are many times those beside them. With a part the proof knows where metal is.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
+use super::drilled::Holes;
 use crate::motion::{BlockRef, Motion, MotionStep, Plane, Position, Sense};
 use crate::note::Note;
 use crate::units::{Micrometres, round_to};
 
 /// How much of a way down at rapid ends below the zero before it is told, mm.
-const BELOW: f64 = 0.2;
+pub(super) const BELOW: f64 = 0.2;
 /// How near two points are one, mm.
 const NEAR: f64 = 0.05;
 /// The most points of a way that are held against one another.
@@ -25,6 +26,11 @@ struct Room {
 }
 
 impl Room {
+    /// Whether something was milled there: a drill makes no room beside it.
+    fn is_milled(&self) -> bool {
+        self.low != self.high
+    }
+
     fn has(&self, [x, y]: Point, z: f64, around: f64) -> bool {
         let [within_x, within_y] =
             [(x, 0), (y, 1)].map(|(value, axis)| value > self.low[axis] - around && value < self.high[axis] + around);
@@ -51,13 +57,33 @@ type Fed = (f64, BlockRef);
 /// What is told: a block, a code and its figures.
 pub(super) type ToldBelow = (BlockRef, &'static str, Note);
 
+/// By what a motion is seen: its zero along Z, the system, the tool, and whether a cycle makes it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    pub zero: Micrometres,
+    pub system: u8,
+    pub tool: u32,
+    pub in_cycle: bool,
+}
+
+/// What a program does below its zero is held against.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Measure {
+    /// How far around its own cuts a program has made room, mm.
+    pub around: f64,
+    /// How many times the feed of the cuts beside it a feed may be.
+    pub times: f64,
+    /// How many pitches a tap may come out of a through hole farther than the drill before it.
+    pub beyond: f64,
+    /// Tools that break edges, which are there before.
+    pub of_edges: BTreeSet<u32>,
+}
+
 /// Watches what a program does below its zero.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Below {
-    /// How far around its own cuts a program has made room, mm.
-    around: f64,
-    /// How many times the feed of the cuts beside it a feed may be.
-    times: f64,
+    measure: Measure,
+    holes: Holes,
     rooms: Vec<Room>,
     /// The stretch in progress.
     room: Option<Room>,
@@ -70,15 +96,22 @@ pub(super) struct Below {
 }
 
 impl Below {
-    pub fn new(around: f64, times: f64) -> Self {
-        Self { around, times, ..Self::default() }
+    pub fn new(measure: Measure) -> Self {
+        Self { measure, ..Self::default() }
     }
 
-    /// A motion of a tool; the zero is its height along Z, and a cycle says itself where its rapids end.
-    pub fn takes(&mut self, step: &MotionStep, from: Position, zero: Micrometres, tool: u32, in_cycle: bool) {
+    /// A motion of a tool; a cycle says itself where its rapids end.
+    pub fn takes(&mut self, step: &MotionStep, from: Position, seen: Seen) {
+        let Seen { zero, tool, in_cycle, .. } = seen;
         let height = |at: Position| (at.z - zero).to_mm();
         let (z, before) = (height(step.at), height(from));
         let [begin, at] = [from, step.at].map(|at| [at.x.to_mm(), at.y.to_mm()]);
+        let (rooms, around) = (&self.rooms, self.measure.around);
+        self.holes.takes(step, from, (before, z), seen, |z| {
+            let mut here = rooms.iter().chain(&self.room).filter(|room| room.has(at, z, around)).peekable();
+            let untouched = here.peek().is_none();
+            (here.any(Room::is_milled), untouched)
+        });
         match &step.motion {
             // It may go on below to where it cuts.
             Motion::Rapid if z < -BELOW && self.entry.as_ref().is_some_and(|entry| entry.way.len() < 2) => {
@@ -86,8 +119,7 @@ impl Below {
             }
             Motion::Rapid => {
                 self.goes_up(tool, z >= -BELOW);
-                if z < -BELOW && z < before && !in_cycle && !self.rooms.iter().any(|room| room.has(at, z, self.around))
-                {
+                if z < -BELOW && z < before && !in_cycle && !self.rooms.iter().any(|room| room.has(at, z, around)) {
                     self.entry = Some(Entry { at, z, tool, block: step.block, way: vec![at], circle: false });
                 }
             }
@@ -119,8 +151,8 @@ impl Below {
             self.feed_of((tool, true), feed, block);
         }
         let Some(entry) = self.entry.take().filter(|entry| (is_up && tool != 0) || entry.way.len() > 1) else { return };
-        // A circle about the place may be the wall of a hole that was there before.
-        let into = entry.is_enclosed() && !entry.circle;
+        // A circle about the place may be the wall of a hole that was there before, and an edge that is broken is there.
+        let into = entry.is_enclosed() && !entry.circle && !self.measure.of_edges.contains(&entry.tool);
         let code = if into { "rapid-into-pocket" } else { "rapid-below-zero" };
         let note = Note::new(code).with("z", round_to(entry.z, 3)).with("tool", entry.tool);
         if !self.told.iter().any(|(_, known, other)| *known == code && *other == note) {
@@ -159,12 +191,18 @@ impl Below {
 
     /// What is told of the run.
     pub fn finish(mut self) -> Vec<ToldBelow> {
+        let milled = |at: Point, z: f64| self.rooms.iter().any(|room| room.is_milled() && room.has(at, z, BELOW));
+        let of_holes = self.holes.finish(milled, self.measure.beyond);
+        // What is certain needs no doubt.
+        let certain = |block: BlockRef| of_holes.iter().any(|(it, code, _)| *it == block && *code == "begins-in-metal");
+        self.told.retain(|(block, code, _)| *code != "rapid-below-zero" || !certain(*block));
+        self.told.extend(of_holes);
         for ((tool, _), feeds) in &self.feeds {
             for (index, (feed, block)) in feeds.iter().enumerate() {
                 let beside = [index.checked_sub(1), Some(index + 1)].into_iter().flatten();
                 let beside: Vec<f64> = beside.filter_map(|at| feeds.get(at)).map(|(feed, _)| *feed).collect();
                 let most = beside.iter().copied().fold(0.0, f64::max);
-                if most > 0.0 && *feed >= self.times * most {
+                if most > 0.0 && *feed >= self.measure.times * most {
                     let code = "feed-tenfold";
                     let note = Note::new(code).with("tool", *tool).with("feed", round_to(*feed, 1));
                     self.told.push((*block, code, note.with("other", round_to(most, 1))));

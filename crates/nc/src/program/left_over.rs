@@ -1,6 +1,9 @@
 //! What the program before may have left: what every control asks of it alike.
 
+use std::collections::BTreeSet;
+
 use super::setting::Before;
+use super::{Fault, TextSpan};
 use crate::note::Note;
 
 /// A group of modes that a block may rely on.
@@ -40,4 +43,23 @@ pub(super) fn never_set(
 pub(super) fn height_unknown(known: &mut bool, lifts: bool, goes: bool) -> bool {
     *known |= lifts;
     goes && !std::mem::replace(known, true)
+}
+
+/// What a program never sets is told once, where it first relies on any of it: the head of the program lacks it.
+pub(super) fn as_one(faults: &mut Vec<Fault>) {
+    for code in ["mode-left-over", "habit-left-over"] {
+        let all: Vec<(TextSpan, Note)> =
+            faults.iter().filter(|fault| fault.code == code).map(|fault| (fault.span, fault.note.clone())).collect();
+        let Some(first) = all.iter().map(|(span, _)| *span).min().filter(|_| all.len() > 1) else { continue };
+        let mut known = BTreeSet::new();
+        let written = all.iter().filter_map(|(_, note)| note.figures().find(|(name, _)| *name == "words"));
+        let written: Vec<String> = written.map(|(_, words)| words.text().into_owned()).collect();
+        let words =
+            written.iter().flat_map(|words| words.split(", ")).filter(|word| known.insert(*word)).collect::<Vec<_>>();
+        let words = words.join(", ");
+        faults.retain(|fault| fault.code != code || fault.span == first);
+        for fault in faults.iter_mut().filter(|fault| fault.code == code) {
+            fault.note = fault.note.clone().with("words", words.clone());
+        }
+    }
 }

@@ -11,6 +11,7 @@ mod block;
 mod brought;
 mod contour;
 pub mod control_2c42_65;
+mod drilled;
 mod expression;
 pub mod iso;
 pub mod lathe;

@@ -1,7 +1,7 @@
 //! What the comments of a program say of its tools: the thread that a tap cuts and the diameter of a tool. Nobody has to write
 //! them; where somebody has, the program is held to them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use technolog_core::ascii::{ascii, says};
 
@@ -10,12 +10,13 @@ use technolog_core::ascii::{ascii, says};
 pub(super) struct Names {
     threads: BTreeMap<u32, Vec<Thread>>,
     diameters: BTreeMap<u32, Vec<f64>>,
+    edges: BTreeSet<u32>,
 }
 
-/// A metric thread that a comment names.
+/// A thread that a comment names.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Thread {
-    /// As it is written: `M8`, `M8X1`.
+    /// As it is written: `M8`, `M8X1`, `1/4-20`.
     pub name: String,
     /// Its pitch, mm; the coarse one where the comment gives none.
     pub pitch: f64,
@@ -26,8 +27,8 @@ type Line = (String, Vec<String>);
 
 impl Names {
     /// Reads the comments of a text; `coarse` has sizes and pitches of coarse threads, mm, `of_taps` the words of which one stands
-    /// beside the thread of a tap: M8 alone may be the coolant.
-    pub fn read(text: &str, coarse: &[(f64, f64)], of_taps: &[String]) -> Self {
+    /// beside the thread of a tap: M8 alone may be the coolant. `of_edges` has those of tools that break edges.
+    pub fn read(text: &str, coarse: &[(f64, f64)], of_taps: &[String], of_edges: &[String]) -> Self {
         let lines: Vec<Line> = text.lines().map(parts).collect();
         let mut names = Self::default();
         let (mut tool, mut wanted) = (0, 0);
@@ -49,6 +50,10 @@ impl Names {
                     names.threads.entry(of).or_default().push(thread);
                 }
                 names.diameters.entry(of).or_default().extend(diameter(comment));
+                let latin = ascii(comment);
+                if of_edges.iter().any(|word| says(&latin, word)) {
+                    names.edges.insert(of);
+                }
             }
         }
         names
@@ -57,6 +62,11 @@ impl Names {
     /// The threads that comments name for a tool.
     pub fn threads(&self, tool: u32) -> &[Thread] {
         self.threads.get(&tool).map_or(&[], Vec::as_slice)
+    }
+
+    /// The tools that break edges.
+    pub fn of_edges(&self) -> BTreeSet<u32> {
+        self.edges.clone()
     }
 
     /// The radius of a tool, mm, where its comments give one diameter and no other.
@@ -115,6 +125,37 @@ fn behind<'t>(text: &'t str, letters: &[&str]) -> Option<(f64, &'t str)> {
 
 /// The thread that a comment names.
 fn thread(comment: &str, coarse: &[(f64, f64)], of_taps: &[String]) -> Option<Thread> {
+    metric(comment, coarse, of_taps).or_else(|| inch(comment, of_taps))
+}
+
+/// An inch thread: its size and its turns to the inch, `1/4-20`, `#10-24`, `10-32 UNF`. What is neither a tap nor called unified
+/// may be anything.
+fn inch(comment: &str, of_taps: &[String]) -> Option<Thread> {
+    let latin = ascii(comment);
+    let unified = comment.match_indices("UN").any(|(at, _)| {
+        let ends = comment.get(at + 2..).map(|rest| rest.trim_start_matches(['C', 'F', 'E', 'S', 'R', 'J']));
+        ends.is_some_and(|rest| !rest.starts_with(char::is_alphabetic))
+            && !comment.get(..at).is_some_and(|before| before.ends_with(char::is_alphabetic))
+    });
+    if !unified && !of_taps.iter().any(|word| says(&latin, word)) {
+        return None;
+    }
+    comment.match_indices('-').find_map(|(at, _)| {
+        let size = comment.get(..at)?.trim_end_matches(['"', ' ']);
+        let begin = size.trim_end_matches(|c: char| c.is_ascii_digit() || matches!(c, '/' | '#' | '.')).len();
+        let before = size.get(..begin)?.trim_end();
+        let size = size.get(begin..).filter(|size| size.chars().any(|c| c.is_ascii_digit()))?;
+        let (turns, rest) = leading(comment.get(at + 1..)?.trim_start())?;
+        let whole = turns.fract() == 0.0 && (4.0..=80.0).contains(&turns);
+        // `M8-10`, `T3-20` and `8-6H` are none.
+        let letters = rest.starts_with(char::is_alphabetic) && !rest.starts_with("UN");
+        let known = whole && !letters && !before.ends_with(|c: char| c.is_alphabetic() && before.len() == begin);
+        known.then(|| Thread { name: format!("{size}-{turns}"), pitch: crate::units::round_to(25.4 / turns, 4) })
+    })
+}
+
+/// A metric thread.
+fn metric(comment: &str, coarse: &[(f64, f64)], of_taps: &[String]) -> Option<Thread> {
     let (size, rest) = behind(comment, &["M", "М"])?;
     let rest = rest.trim_start();
     let times = rest.strip_prefix(['X', 'Х', '×', '*']).or_else(|| rest.strip_prefix('P'));
@@ -156,7 +197,14 @@ mod tests {
             ("M8 COOLANT ON", None),
             ("M30 TAP", None),
             ("TAPER MILL M8", None),
-            ("TAP 1/4-20 UNC", None),
+            ("TAP 1/4-20 UNC", Some(1.27)),
+            ("1/4\"-20 TAP", Some(1.27)),
+            ("#10-32 UNF", Some(0.7938)),
+            ("T5 - 10-24 TAP", Some(1.0583)),
+            ("1/4-20", None),
+            ("DRILL 1/4-2 FLUTES", None),
+            ("TAP T3-20", None),
+            ("TAP 8-6H", None),
         ] {
             assert_eq!(thread(comment, &coarse, &of_taps).map(|thread| thread.pitch), expected, "{comment}");
         }
@@ -172,7 +220,7 @@ mod tests {
     #[test]
     fn a_comment_is_about_the_tool_beside_it() {
         let text = "(T4 TAP M10)\n(TAP M8)\nT3 M6\nG84 Z-10 F1000\n(TAP M10)\nT4\nT4 M6 (D12)\n";
-        let names = Names::read(text, &[(8.0, 1.25), (10.0, 1.5)], &["TAP".to_owned()]);
+        let names = Names::read(text, &[(8.0, 1.25), (10.0, 1.5)], &["TAP".to_owned()], &[]);
         let pitches = |tool| names.threads(tool).iter().map(|thread| thread.pitch).collect::<Vec<_>>();
         assert_eq!((pitches(3), pitches(4)), (vec![1.25], vec![1.5, 1.5]));
         assert_eq!(names.radius(4), Some(6.0));

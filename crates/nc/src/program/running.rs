@@ -3,13 +3,13 @@
 
 use std::collections::BTreeSet;
 
-use super::alone::{Habits, Watch};
-use super::below::Below;
+use super::alone::{Habits, Radius, Watch};
+use super::below::{Below, Measure};
 use super::contour::Contour;
 use super::limits::{NOT_CHECKED, Spans, without_zero};
 use super::named::Names;
 use super::setting::Assumed;
-use super::{Call, Fault, TextSpan, stay};
+use super::{Call, Fault, TextSpan, left_over, stay};
 use crate::motion::{MotionStep, Sink};
 
 /// The most blocks and steps of a check: nested repeats might never end.
@@ -37,6 +37,8 @@ pub(super) struct Watched {
     pub contour: Contour,
     /// What is done below the zero.
     pub below: Below,
+    /// The registers of the radius that tools have had.
+    pub radii: Vec<Radius>,
 }
 
 /// A run, apart from the language.
@@ -61,10 +63,15 @@ impl<'a, S: Sink> Running<'a, S> {
     /// At the beginning of a program.
     pub fn new(sink: &'a mut S, breach: NewFault, habits: Habits, text: &str, budget: usize) -> Self {
         let (reported, faults, calls, spans) = (BTreeSet::new(), Vec::new(), Vec::new(), Spans::new());
-        let names = Names::read(text, &habits.coarse, &habits.of_taps);
-        let below = Below::new(habits.cuts_around, habits.feed_beside);
+        let names = Names::read(text, &habits.coarse, &habits.of_taps, &habits.of_edges);
+        let below = Below::new(Measure {
+            around: habits.cuts_around,
+            times: habits.feed_beside,
+            beyond: habits.tap_beyond,
+            of_edges: names.of_edges(),
+        });
         let watch = Watch::new(habits, names.clone());
-        let watched = Watched { names, contour: Contour::default(), below };
+        let watched = Watched { names, contour: Contour::default(), below, radii: Vec::new() };
         Self { sink, breach, reported, faults, calls, spans, watched, watch, budget, left: budget }
     }
 
@@ -136,13 +143,15 @@ impl<'a, S: Sink> Running<'a, S> {
             self.faults.retain(|fault| !stay::TOLD.contains(&fault.code));
         } else {
             let below = std::mem::take(&mut self.watched.below).finish();
-            for (block, code, note) in self.watch.clone().finish().into_iter().chain(below) {
+            let radii = std::mem::take(&mut self.watched.radii);
+            for (block, code, note) in self.watch.clone().finish(&radii).into_iter().chain(below) {
                 let span = TextSpan { line: block.line, column: 1, width: 1 };
                 let mut fault = (self.breach)(code, span, block.number);
                 (fault.note, fault.of_program_alone) = (note, true);
                 self.report(fault);
             }
         }
+        left_over::as_one(&mut self.faults);
         self.faults
     }
 }

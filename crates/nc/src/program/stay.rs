@@ -6,8 +6,18 @@ use crate::program::limits::Floating;
 use crate::units::Micrometres;
 
 /// What is told of the heights. A run with an error has left out what that block says, and the tool stands elsewhere then.
-pub(super) const TOLD: [&str; 6] =
-    ["rapid-from-hole", "rapid-at-depth", "change-low", "change-low-maybe", "change-not-withdrawn", "ends-in-cut"];
+pub(super) const TOLD: [&str; 7] = [
+    "rapid-from-hole",
+    "rapid-at-depth",
+    "home-in-cut",
+    "change-low",
+    "change-low-maybe",
+    "change-not-withdrawn",
+    "ends-in-cut",
+];
+
+/// How far below the zero a tool stands in its hole.
+const IN_HOLE: Micrometres = Micrometres::new(200);
 
 /// A cut that the tool has not yet left upwards.
 #[derive(Clone, Copy, Debug)]
@@ -54,7 +64,10 @@ impl Stay {
     ) -> Option<&'static str> {
         let sideways = from.x != to.x || from.y != to.y;
         let told = match self.cut.filter(|_| sideways && *motion == Motion::Rapid) {
-            Some(cut) if !cut.across && from.z <= cut.bottom => Some("rapid-from-hole"),
+            // A token lift leaves it in the hole.
+            Some(cut) if !cut.across && (from.z <= cut.bottom || (from.z < cut.below && from.z < zero - IN_HOLE)) => {
+                Some("rapid-from-hole")
+            }
             Some(cut) if from.z == to.z && turning != Turning::Stopped => {
                 // Where it only went across at one height, as a torch does, and never stood higher, that height is free.
                 let low = from.z <= cut.level && (cut.down || cut.level < self.highest);
@@ -106,6 +119,11 @@ impl Stay {
             self.cut = self.cut.filter(|cut| to.z < cut.below);
         }
         self.highest = self.highest.max(to.z);
+    }
+
+    /// Whether its heights count by a zero that is not known.
+    pub const fn floats(&self) -> bool {
+        self.floating.is_some()
     }
 
     /// Whether the tool at that height still stands in its cut.

@@ -182,6 +182,8 @@ vocabulary! {
         ChangeStopsSpindle = "change-stops-spindle",
         ChangeByBuilder = "change-by-builder",
         RadiusOnALine = "radius-on-a-line",
+        RadiusByRegister = "radius-by-register",
+        RoundsUnlike = "rounds-unlike",
         EndCancelsRadius = "end-cancels-radius",
         ChangeWithdraws = "change-withdraws",
         StopStopsSpindle = "stop-stops-spindle",

@@ -136,6 +136,35 @@ rapid-into-pocket = T{ $tool }: at rapid down to Z{ $z } mm of the zero, and the
     .help = go down at feed, or drill the place first
 rapid-below-zero = T{ $tool }: at rapid down to Z{ $z } mm of the zero, where the program has cut nothing before
     .help = look whether the tool comes down beside the part
+begins-in-metal = T{ $tool }: the feed begins at Z{ $z } mm of the zero, in metal: { $why ->
+        [sign] others of this tool begin at Z{ $other } mm and end as deep
+       *[touched] here the program has cut to Z{ $other } mm before
+    }
+    .help = correct R, or the level where the rapid ends
+depth-tenfold = T{ $tool }: a hole down to Z{ $z } mm of the zero, and the others that begin there go to Z{ $other } mm
+    .help = look whether Z has a digit too many
+feed-of-turn = G95 acts, and F is { $feed } mm for each turn
+    .help = correct F, or give G94
+feed-of-minute = G94 acts, and F is { $feed } mm in a minute
+    .help = look whether F was meant for a turn, with G95
+return-goes-down = the return first goes down at rapid to a point on the face of the part or below it: its Z is a position of the program
+    .help = write the return in distances, G91 G28 Z0, or go up before it
+home-in-cut = on the way to a place of the machine the tool goes sideways at rapid out of what it has cut
+    .help = bring Z up first
+distances-of-call = G91 of the subprogram still acts: these positions are taken as distances
+    .help = give G90 at the end of the subprogram or behind the call
+radius-register-missing = G41 or G42 comes without a register D: which radius it takes is left to what acted before
+    .help = name D of this tool
+radius-of-other-tool = T{ $tool } goes beside a contour by the radius D{ $corrector }, that of T{ $other }
+    .help = name D of this tool
+two-lengths = T{ $tool } comes again and cuts with the length offset H{ $corrector }; before it had H{ $other }
+    .help = name the register of this tool
+tap-beyond-hole = T{ $tool }: the tap goes to Z{ $z } mm of the zero, and the hole was made to Z{ $other } mm
+    .help = tap less deep, or make the hole deeper
+tap-beyond-hole-maybe = T{ $tool }: the tap goes to Z{ $z } mm of the zero, a little farther than the hole that was made, to Z{ $other } mm
+    .help = right only where the hole goes through
+tap-without-hole = T{ $tool }: a tap where the program has made no hole, and for others of this tap it has
+    .help = correct the place, or make the hole first
 feed-tenfold = T{ $tool }: the feed { $feed } mm/min, and { $other } mm/min in the cuts beside it
     .help = look whether F has a digit too many
 tap-pitch-named = T{ $tool }: F over S makes { $pitch } mm for each turn, and a comment names { $thread }, whose pitch is { $needed } mm

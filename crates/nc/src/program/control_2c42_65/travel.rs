@@ -5,8 +5,10 @@ use super::correction::Trouble;
 use super::state::{PLANE, SYSTEM};
 use crate::motion::{Axis, Motion, MotionStep, Position, geometry};
 use crate::program::TextSpan;
+use crate::program::below::Seen;
 use crate::program::limits::{AxisRanges, beyond_travel};
 use crate::program::stay::Stay;
+use crate::units::Micrometres;
 
 impl Maker<'_> {
     /// Adds a step at the position of the axes.
@@ -44,6 +46,9 @@ impl Maker<'_> {
                 let reached = geometry::reach(&step.motion, self.state.actual, at);
                 self.hold_in_travel(reached, span);
                 self.stays(index, span);
+            } else if matches!(step.motion, Motion::Spindle { .. } | Motion::ToolChange { .. } | Motion::End) {
+                let seen = Seen { zero: Micrometres::ZERO, system: 0, tool: self.state.tool, in_cycle: false };
+                self.watched.below.takes(step, at, seen);
             }
             self.state.actual = at;
         }
@@ -61,7 +66,8 @@ impl Maker<'_> {
             self.state.corrected(Position::default().with(Axis::Z, self.state.origin_of(Axis::Z, self.setting).0)).z;
         let (tool, in_cycle) = (self.state.tool, self.cycle_in_force());
         if ends.is_some() || self.state.groups[SYSTEM] != 53 {
-            self.watched.below.takes(&self.steps[index], from, zero, tool, in_cycle);
+            let seen = Seen { zero, system: self.state.groups[SYSTEM], tool, in_cycle };
+            self.watched.below.takes(&self.steps[index], from, seen);
         }
         let motion = &self.steps[index].motion;
         if let Some(code) = self.state.stay.moves(motion, (from, to), (ends, zero), self.state.turning) {

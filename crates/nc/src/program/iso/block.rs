@@ -17,7 +17,7 @@ use crate::program::limits::{Floating, Spans, beyond_travel, speed_off_steps};
 use crate::program::running::Watched;
 use crate::program::stay::Stay;
 use crate::program::{Fault, Setting, Subject, TextSpan};
-use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute};
+use crate::units::{Decimal, Micrometres, MillimetresPerMinute, RevsPerMinute, round_to};
 
 /// A block during its execution: its steps, made on a copy of the state.
 pub(super) struct Maker<'a> {
@@ -92,6 +92,7 @@ impl Maker<'_> {
         if let Some(function) = words.one_shot(Effect::Dwell, self.control) {
             self.dwell(function, words);
         }
+        self.distances_of_a_call(words);
         self.return_left_over(words);
         self.modes(words);
         self.length_correction(words);
@@ -563,6 +564,15 @@ impl Maker<'_> {
         if self.state.feed_user.uses() {
             self.fault("feed-of-tool-before", span).of_program_alone = true;
         }
+        let of_turn = self.state.mode(Group::FeedMode) == Some(950);
+        let written = self.state.feed;
+        if of_turn && written > self.control.habits.feed_of_turn {
+            self.report("feed-of-turn", span, &[("feed", round_to(written, 3).into_figure())]);
+            self.faults.last_mut().into_iter().for_each(|fault| fault.of_program_alone = true);
+        } else if times == 1.0 && written > 0.0 && written < self.control.habits.feed_of_minute {
+            self.report("feed-of-minute", span, &[("feed", round_to(written, 3).into_figure())]);
+            self.faults.last_mut().into_iter().for_each(|fault| fault.of_program_alone = true);
+        }
         let feed = self.state.feed * times * self.setting.feed_override as f64 / 100.0;
         // A way that goes nowhere has no feed by time, and needs none.
         let nowhere = times == 0.0 && length == Some(0.0) && self.state.feed > 0.0;
@@ -579,7 +589,8 @@ impl Maker<'_> {
     /// Adds a step at the position of the axes.
     pub(super) fn push(&mut self, motion: Motion) {
         let step = MotionStep { motion, at: self.state.at, block: self.block };
-        self.watched.below.takes(&step, step.at, Micrometres::ZERO, self.state.tool, false);
+        let seen = self.seen(Micrometres::ZERO, false);
+        self.watched.below.takes(&step, step.at, seen);
         self.steps.push(step);
     }
 

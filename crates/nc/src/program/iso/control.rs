@@ -113,6 +113,8 @@ pub struct Control {
     pub(super) number_digits: usize,
     /// How many M functions are written in a block.
     pub(super) m_written: usize,
+    /// Functions of macros that round numbers below 0 in another way than here.
+    pub(super) rounds_unlike: Vec<String>,
     /// The M function that is written before a tapping cycle.
     pub(super) tap_preparation: Option<u32>,
     pub(super) habits: Habits,
@@ -168,6 +170,10 @@ impl Control {
             pecks: (length(Q::G83Clearance), length(Q::G73Retract)),
             number_digits: any(Q::ProgramNumberDigits) as usize,
             m_written: (any(Q::MFunctionsWritten) as usize).max(1),
+            rounds_unlike: row(Q::RoundsUnlike)
+                .and_then(|row| row.text)
+                .map(|text| text.split(", ").map(str::to_owned).collect())
+                .unwrap_or_default(),
             tap_preparation: Some(any(Q::TapPreparation) as u32).filter(|code| *code > 0),
             habits: Habits::read(knowledge)?.with_lengths(yes.contains(&Q::LengthsInOffsets)),
             setting: Limits {

@@ -203,9 +203,37 @@ impl Maker<'_> {
                 return;
             }
         };
+        self.goes_home(target.at, span);
         self.go(motion, target.at, target.floating, span);
         self.state.lost = target.lost;
         self.state.z_on_machine |= words.names(Axis::Z);
+    }
+
+    /// A way to a place of the machine that goes sideways while the tool stands in what it has cut, whether the spindle turns or not.
+    fn goes_home(&mut self, to: Position, span: TextSpan) {
+        let at = self.state.at;
+        let zero = self.state.origin(Axis::Z, self.setting).0;
+        let sideways = to.x != at.x || to.y != at.y;
+        if sideways
+            && at.z < zero
+            && self.state.floating[Axis::Z.index()].is_some() == self.state.stay.floats()
+            && self.state.stay.is_in_cut(at.z)
+        {
+            self.fault("home-in-cut", span).of_program_alone = true;
+        }
+    }
+
+    /// A return by a point below, on the face or in the part: with G90 `Z0` of a return is a place of the program.
+    fn goes_down_first(&mut self, through: Target, words: &BlockWords, span: TextSpan) {
+        if !words.names(Axis::Z) {
+            return;
+        }
+        let z = Axis::Z.index();
+        let (at, to, zero) = (self.state.at.z, through.at.z, self.state.origin(Axis::Z, self.setting).0);
+        let other_zero = through.floating[z] != self.state.floating[z];
+        if (other_zero || to < at) && to <= zero {
+            self.fault("return-goes-down", span);
+        }
     }
 
     /// The second reference point: of the setting, or else, where the builder of the machine sets it, the place of its
@@ -243,6 +271,8 @@ impl Maker<'_> {
             self.report("axes-missing", function.span, &[("function", function.name().into_figure())]);
             return;
         }
+        self.goes_down_first(through, words, function.span);
+        self.goes_home(through.at, function.span);
         self.go(Motion::Rapid, through.at, through.floating, function.span);
         let (mut at, mut floating) = (through.at, through.floating);
         let named = if named.is_empty() { Axis::ALL.to_vec() } else { named };
@@ -250,6 +280,7 @@ impl Maker<'_> {
             at = at.with(axis, goal.get(axis));
             floating[axis.index()] = None;
         }
+        self.goes_home(at, function.span);
         self.go(Motion::Rapid, at, floating, function.span);
         self.state.z_on_machine |= named.contains(&Axis::Z);
     }

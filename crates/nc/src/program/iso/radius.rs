@@ -7,16 +7,21 @@ use super::words::BlockWords;
 use crate::motion::{Axis, Motion, MotionStep, Position};
 use crate::note::Severity;
 use crate::program::TextSpan;
+use crate::program::alone::Radius;
+use crate::program::below::Seen;
 use crate::program::contour::ToldOfContour;
+use crate::units::Micrometres;
 
 impl Maker<'_> {
     /// G40, G41, G42 of the block.
     pub(super) fn radius(&mut self, words: &BlockWords) {
+        self.state.radius_register = words.register.or(self.state.radius_register);
         let told = match words.radius {
             Some((left, register)) => {
                 let known = register.filter(|register| !self.state.registers.is_length(*register));
                 let known = known.and_then(|register| self.state.correctors.get(&register)).map(|value| value.to_mm());
                 let radius = self.watched.names.radius(self.state.tool).or(known);
+                self.radius_register(register);
                 self.watched.contour.begins(left, radius)
             }
             None if words.function(Group::Radius).is_some() => {
@@ -32,6 +37,22 @@ impl Maker<'_> {
             None => return,
         };
         self.tell_of_contour(told);
+    }
+
+    /// G41 or G42 begins: the register that acts, where the control goes by one that of a block before, too.
+    fn radius_register(&mut self, register: Option<u32>) {
+        let by_register = self.control.is(Q::RadiusByRegister);
+        match register.or(self.state.radius_register.filter(|_| by_register)) {
+            Some(register @ 1..) => {
+                let radius = Radius { tool: self.state.tool, register, block: self.block };
+                let is_known = |known: &Radius| (known.tool, known.register) == (radius.tool, register);
+                if !self.watched.radii.iter().any(is_known) {
+                    self.watched.radii.push(radius);
+                }
+            }
+            _ if by_register => self.fault("radius-register-missing", self.span).of_program_alone = true,
+            _ => {}
+        }
     }
 
     fn tell_of_contour(&mut self, told: Vec<ToldOfContour>) {
@@ -71,7 +92,31 @@ impl Maker<'_> {
         let in_cycle = self.state.mode(Group::Cycle).is_some();
         // Heights by a zero of the machine, or across another plane, say nothing of the face.
         if self.state.mode(Group::Plane) == Some(170) && !self.state.z_on_machine {
-            self.watched.below.takes(step, from, zero, self.state.tool, in_cycle);
+            self.watched.below.takes(step, from, self.seen(zero, in_cycle));
+        }
+    }
+
+    /// By what a motion is seen.
+    pub(super) fn seen(&self, zero: Micrometres, in_cycle: bool) -> Seen {
+        let system = u8::try_from(self.state.system_index()).unwrap_or_default();
+        Seen { zero, system, tool: self.state.tool, in_cycle }
+    }
+
+    /// G91 that a subprogram has left: the program that called it goes on in distances.
+    pub(super) fn distances_of_a_call(&mut self, words: &BlockWords) {
+        if words.function(Group::Distance).is_some() || self.state.absolute() {
+            self.state.left_by_call = None;
+            return;
+        }
+        let returns = words.one_shot(Effect::Return, self.control).is_some();
+        let sets = self.offset_by_value(words) || self.sets_zero(words).is_some();
+        let deepest = self.state.left_by_call.filter(|_| words.names_any() && !returns && !sets);
+        if deepest.is_some_and(|deepest| self.depth <= deepest) {
+            self.state.left_by_call = None;
+            // A return with G91 is told by itself.
+            if self.state.left_by_return.is_none() {
+                self.fault("distances-of-call", self.span);
+            }
         }
     }
 

@@ -62,6 +62,16 @@ pub(super) const RULES: &[Rule] = &[
     ("rapid-into-pocket", Wrong, "motions"),
     ("rapid-below-zero", Warning, "motions"),
     ("feed-tenfold", Warning, "motions"),
+    ("begins-in-metal", Wrong, "motions"),
+    ("depth-tenfold", Wrong, "motions"),
+    ("feed-of-turn", Wrong, "motions"),
+    ("feed-of-minute", Warning, "motions"),
+    ("return-goes-down", Wrong, "motions"),
+    ("home-in-cut", Wrong, "motions"),
+    ("distances-of-call", Wrong, "calls"),
+    ("radius-register-missing", Wrong, "motions"),
+    ("radius-of-other-tool", Wrong, "motions"),
+    ("two-lengths", Wrong, "machine"),
     ("rapid-from-hole", Wrong, "motions"),
     ("rapid-at-depth", Warning, "motions"),
     ("feed-beyond-machine", Wrong, "machine"),
@@ -133,6 +143,9 @@ pub(super) const RULES: &[Rule] = &[
     ("tap-feed", Wrong, "cycles"),
     ("tap-pitch-named", Wrong, "cycles"),
     ("tap-feed-odd", Warning, "cycles"),
+    ("tap-beyond-hole", Wrong, "cycles"),
+    ("tap-beyond-hole-maybe", Warning, "cycles"),
+    ("tap-without-hole", Wrong, "cycles"),
 ];
 
 /// A broken rule.

@@ -371,7 +371,8 @@ impl<S: Sink> ProgramRun<'_, S> {
             let given: Vec<_> = block.arguments.iter().map(|given| given.value(&seen)).collect();
             self.values.enter(given.into_iter())
         });
-        for _ in 0..call.repeats {
+        let positions = self.state.absolute();
+        for round in 1..=call.repeats {
             self.state.kept.truncate(depth + 1);
             match self.program(range.clone(), depth + 1) {
                 BlockOutcome::Back if self.state.brings_back(depth + 1) => {
@@ -390,6 +391,8 @@ impl<S: Sink> ProgramRun<'_, S> {
                 }
                 BlockOutcome::Out => return BlockOutcome::Out,
             }
+            let left = positions && !self.state.absolute();
+            self.state.left_by_call = left.then_some(depth + usize::from(round < call.repeats));
         }
         if let Some(before) = before {
             self.values.leave(before);

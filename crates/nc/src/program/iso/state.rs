@@ -54,6 +54,10 @@ pub(super) struct ControlState {
     pub height_known: bool,
     /// Whether G91 came with a return and nobody has said since that distances are meant, and whether a tool came since.
     pub left_by_return: Option<bool>,
+    /// Whether a subprogram that was called with G90 has left G91, and at which depth of calls at most it counts.
+    pub left_by_call: Option<usize>,
+    /// The register of the radius.
+    pub radius_register: Option<u32>,
     /// Whether motions are not carried out until the next function of motion or cycle.
     pub passes: bool,
     /// Whether the M function before a tapping cycle acts.
@@ -117,6 +121,8 @@ impl ControlState {
             own: [setting.before == Before::PoweredOn; Group::NAMES.len()],
             height_known: setting.before == Before::PoweredOn,
             left_by_return: None,
+            left_by_call: None,
+            radius_register: None,
             passes: false,
             tap_prepared: false,
             feed: 0.0,

@@ -218,7 +218,7 @@ impl SourceLine<'_> {
                 block.unread = true;
                 continue;
             }
-            let word = self.word(character, &written, self.span(column, until));
+            let word = self.word(character, &written, self.span(column, until), &block);
             block.unread |= word.is_none();
             if let Some(word) = word {
                 match character {
@@ -365,9 +365,9 @@ impl SourceLine<'_> {
         let until = characters.get(reader.at.max(at + 1) - 1).map_or(here, |(column, _)| *column) + 1;
         let span = self.span(here, until);
         let Some((first, value)) = read else { return self.unread("#".to_owned(), span, block) };
-        // Fanuc rounds below 0 another way: the number is not known, the rest of the line is.
+        // What rounds below 0 another way gives a number that is not known; the rest of the line is.
         let written: String = characters[at..reader.at].iter().map(|(_, c)| *c).collect();
-        let rounding = fanuc && (written.contains("FIX") || written.contains("FUP"));
+        let rounding = self.control.rounds_unlike.iter().any(|function| written.contains(function));
         if rounding {
             self.unread("#".to_owned(), span, block);
         }
@@ -393,7 +393,19 @@ impl SourceLine<'_> {
         Calculated::Unread
     }
 
-    fn word(&mut self, address: char, written: &str, span: TextSpan) -> Option<Word> {
+    /// Whether a word belongs to a function that changes no motion, and is no length therefore: `G5.1 Q1`.
+    fn of_harmless(&self, address: char, block: &Block) -> bool {
+        block.words.iter().any(|word| {
+            let passed = match word.address {
+                'G' if word.millionths % 100_000 == 0 => self.control.passed_g.get(&(word.millionths / 100_000)),
+                'M' => self.control.passed_m.get(&(word.millionths / 1_000_000)),
+                _ => None,
+            };
+            passed.is_some_and(|passed| passed.harmless && passed.takes.contains(&address))
+        })
+    }
+
+    fn word(&mut self, address: char, written: &str, span: TextSpan, block: &Block) -> Option<Word> {
         if let Some(latin) = latin(address) {
             self.faults.push(fault("cyrillic-letter", span, None).with("letter", address).with("latin", latin));
             return None;
@@ -426,6 +438,7 @@ impl SourceLine<'_> {
         }
         // K may be a number of repeats, and 0 is 0 in every unit.
         let length = known == Written::Length && !matches!(address, 'K' | 'F') && millionths != 0;
+        let length = length && !self.of_harmless(address, block);
         // A peck is never so long: without a point it counts increments, as the control always reads it.
         let peck = length && address == 'Q' && !written.contains('.') && self.control.is(Q::DecimalOfSetting);
         let peck = peck && self.points.decimal.is_none() && millionths >= self.control.habits.peck_most();

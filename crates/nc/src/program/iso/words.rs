@@ -6,6 +6,7 @@ use super::control::{Characteristic as Q, Control, Effect, Group, Passed};
 use super::rules::{fault, word_fault};
 use super::text::{Block, Word};
 use crate::motion::Axis;
+use crate::note::Severity;
 use crate::program::{Fault, TextSpan};
 use crate::units::Micrometres;
 
@@ -90,6 +91,8 @@ pub(super) struct BlockWords {
     values: [Option<WordValue>; ADDRESSES],
     /// G41 or G42: whether the tool keeps to the left, and the register of D.
     pub radius: Option<(bool, Option<u32>)>,
+    /// D, the register of the radius.
+    pub register: Option<u32>,
     /// Whether nothing of the block is carried out but modes and machine functions.
     pub passed: bool,
     /// Whether that holds for the blocks behind it.
@@ -189,6 +192,7 @@ impl BlockWords {
         };
         self.passed = block.words.iter().any(|word| known(word).0.is_some_and(|passed| passed.whole));
         let register = self.get('D').and_then(|given| u32::try_from(given.millionths / 1_000_000).ok());
+        self.register = register;
         self.radius = self.radius.map(|(left, _)| (left, register));
         for word in &block.words {
             let (Some(passed), mut name) = known(word) else { continue };
@@ -206,7 +210,16 @@ impl BlockWords {
                 Passed { as_written: true, .. } => "traced-as-written",
                 _ => "not-carried-out",
             };
-            self.told.push(word_fault(code, word.span, None, name));
+            // A further axis that is brought to 0 stands there as a rule.
+            let to_zero = code == "not-carried-out" && matches!(word.address, 'A'..='C') && word.millionths == 0;
+            if to_zero {
+                name.push('0');
+            }
+            let mut told = word_fault(code, word.span, None, name);
+            if to_zero {
+                told.severity = Severity::Doubtful;
+            }
+            self.told.push(told);
             self.passes_on |= passed.goes_on;
             for address in passed.takes.iter().copied().chain(Some(word.address)) {
                 self.values[place(address)] = None;
