@@ -10,6 +10,7 @@ use super::super::finding::{AuditFinding, FindingKind};
 use super::super::graph::{Graph, Status, Verdict};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 
+#[expect(clippy::ptr_arg, reason = "checks are called alike")]
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
