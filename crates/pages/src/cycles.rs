@@ -103,6 +103,8 @@ fn size(work: &ToolWork) -> (f64, f64) {
 /// The cycles of a tool side by side.
 fn tool(canvas: &mut Canvas, (x, y): (f64, f64), setup: &SetUp, work: &ToolWork, job: &Job, plan: &Plan, lang: Lang) {
     let own = plan.tools.iter().find(|tool| tool.number == work.tool);
+    // A designation that is an order text has its diameter already.
+    let own = own.filter(|_| !work.designation.contains('Ø'));
     let diameter = own.map_or_else(String::new, |tool| format!(" Ø{}", mm(tool.diameter_mm, lang)));
     let mut title = format!("T{} {}{diameter}, H{:02}", work.place, work.designation, work.corrector);
     if job.setups.len() > 1 {

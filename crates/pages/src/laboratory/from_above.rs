@@ -83,7 +83,7 @@ pub(super) fn drawing(part: &Part, lang: Lang) -> String {
     let mut canvas = Canvas::default();
     plate.outline(&mut canvas);
     let zero_at = plate.at(Point { x: Micrometres::ZERO, y: Micrometres::ZERO });
-    let mut labels = Labels { plate, holes: Vec::new(), taken: vec![(zero_at, 46.0)] };
+    let mut labels = Labels { plate, holes: Vec::new(), taken: axes(zero_at) };
     for hole in &part.holes {
         let radius = plate.radius(hole);
         for way in hole.middles() {
@@ -241,6 +241,11 @@ impl Labels {
     fn any(&self, at: At, radius: f64, text: &str) -> At {
         self.free(at, radius, text).unwrap_or(Self::places(at, radius, width_of(text, SIZE))[0])
     }
+}
+
+/// Where the axes of the zero stand, as lines of text.
+fn axes((x, y): At) -> Vec<(At, f64)> {
+    vec![((x, y), 46.0), ((x - 6.0, y - 16.0), 12.0), ((x - 6.0, y - 32.0), 12.0)]
 }
 
 /// The zero of the drawing with its axes.
