@@ -31,6 +31,8 @@ pub struct PressedRing {
     share: f64,
     /// Half of the angle over which a jaw touches, radians.
     contact: f64,
+    /// How many times a floor or a thick wall beside the jaws makes it stiffer.
+    stiffer: f64,
     /// The rows behind it.
     pub because: Vec<Because>,
 }
@@ -58,13 +60,15 @@ impl Section {
 }
 
 impl PressedRing {
-    /// The rings of a material, by how far each jaw touches around them. None without a section that is a body.
+    /// The rings of a material, by how far each jaw touches around them, and how many times what stands beside them makes them stiffer.
+    /// None without a section that is a body.
     ///
     /// # Errors
     /// The knowledge base lacks a row.
     pub fn of(
         sections: &[PartSection],
         contact_degrees: f64,
+        stiffer: f64,
         material: &Material<'_>,
         knowledge: &Knowledge,
     ) -> Result<Option<Self>, KnowledgeError> {
@@ -84,6 +88,7 @@ impl PressedRing {
             bears: (strength > 0.0).then_some(stress * strength),
             share,
             contact: contact_degrees.to_radians(),
+            stiffer,
             because: vec![of_share, of_stress],
         }))
     }
@@ -95,7 +100,7 @@ impl PressedRing {
     /// I = b·t³/12. Rings beside each other share the force by their stiffness.
     pub fn lobes_mm(&self, force: Newtons) -> f64 {
         let stiffness: f64 = self.sections.iter().map(|one| one.stiffness()).sum();
-        force.0 / JAWS * lobes(JAWS, self.contact) / (self.modulus * stiffness)
+        force.0 / JAWS * lobes(JAWS, self.contact) / (self.modulus * stiffness * self.stiffer)
     }
 
     /// The largest force of all jaws together under which no wall is stressed more than it bears; none where its strength is not known.
@@ -107,7 +112,7 @@ impl PressedRing {
         let stress = |one: &Section| {
             let force = one.stiffness() / stiffness;
             let bending = force / JAWS * one.radius * moment(JAWS) * spread * 6.0 / (one.length * one.wall * one.wall);
-            bending + force / (2.0 * PI * one.length * one.wall)
+            bending / self.stiffer + force / (2.0 * PI * one.length * one.wall)
         };
         let most = self.sections.iter().map(stress).fold(0.0, f64::max);
         self.bears.map(|bears| Newtons(bears / most))
@@ -116,6 +121,13 @@ impl PressedRing {
     /// What the lobes may be with a tolerance of a diameter, mm: the share of the deflection of a part, a side.
     pub fn allowed_mm(&self, tolerance: Micrometres) -> f64 {
         self.share * tolerance.to_mm()
+    }
+
+    /// How many times stiffer a tube is at a distance from a floor or a thick wall, which keeps its shape: 1 + 2/(β·l)⁴. A strip of the tube
+    /// is a beam on a foundation, and with its foot held it bends like a cantilever, q·l⁴/(8·EI) beside q/k, where k/EI = 4β⁴.
+    pub fn stiffened(radius: f64, bore: f64, distance_mm: f64) -> f64 {
+        let along = distance_mm / (2.0 * Self::spread_mm(radius, bore));
+        1.0 + 2.0 / (along * along * along * along)
     }
 
     /// How far the lobes spread along a tube beyond the jaws, mm: 1/(2β), with β of the mode of n lobes,
@@ -182,10 +194,13 @@ mod tests {
             bears: Some(180.0),
             share: 0.2,
             contact: 0.0,
+            stiffer: 1.0,
             because: Vec::new(),
         };
         near(ring.lobes_mm(Newtons(37_000.0)), 2.77);
         near(ring.bears().unwrap().0, 37_000.0 * 180.0 / (4662.0 + 157.0));
+        // A floor as far away as 1/β, twice the spread, makes it three times stiffer.
+        near(PressedRing::stiffened(32.5, 30.0, 2.0 * PressedRing::spread_mm(32.5, 30.0)), 3.0);
         // 0.152·R·√(R/t) by hand.
         near(PressedRing::spread_mm(32.5, 30.0), 0.1515 * 31.25 * libm::sqrt(12.5));
     }

@@ -64,19 +64,34 @@ impl Squeeze {
         // Each step of the bore is a ring of its own.
         let mut cuts: Vec<Half> =
             [&raw, &made].into_iter().flatten().flat_map(|inner| &inner.pieces).map(|piece| piece.from.z).collect();
-        cuts.extend([from, to]);
+        cuts.extend([from, front, back, to]);
         cuts.sort();
         let ends = cuts.windows(2).filter(|ends| ends[0] < ends[1]);
-        let within = ends.flat_map(|ends| stretches(&outside, ends[0].max(from), ends[1].min(to)));
-        let sections =
-            within.map(|(from, to, (least, _))| PartSection { from, to, radius: least, bore: bore(from, to) });
-        let sections: Vec<PartSection> = sections.filter(|one| one.radius > one.bore).collect();
+        let within: Vec<_> = ends.flat_map(|ends| stretches(&outside, ends[0].max(from), ends[1].min(to))).collect();
+        let wall = radius - hollow;
+        let mut sections = Vec::new();
+        let mut stiffer = 1.0_f64;
+        for (near, far, (radius_there, _)) in within {
+            let inside = bore(near, far);
+            if radius_there <= inside {
+                continue;
+            }
+            let beside = far <= front || near >= back;
+            // What is thick beside the jaws does not share their force, but keeps the shape of the wall.
+            if beside && radius_there - inside >= Half::new(wall.halves() * THICK) {
+                let distance = if far <= front { back - far } else { near - front };
+                let [radius, hollow, distance] = [radius, hollow, distance].map(Half::to_mm);
+                stiffer = stiffer.max(PressedRing::stiffened(radius, hollow, distance));
+                continue;
+            }
+            let inside = if beside { inside.max(radius_there - wall) } else { inside };
+            sections.push(PartSection { from: near, to: far, radius: radius_there, bore: inside });
+        }
         let contact = contact(jaws, bench.knowledge)?;
-        let Some(ring) = PressedRing::of(&sections, contact, &bench.material, bench.knowledge)? else {
-            return Ok(None);
-        };
+        let ring = PressedRing::of(&sections, contact, stiffer, &bench.material, bench.knowledge)?;
+        let Some(ring) = ring else { return Ok(None) };
         let tightest = tightest(set_up, (from, to), bench)?;
-        Ok(Some(Self { ring, wall: radius - hollow, tightest, full: jaws.full }))
+        Ok(Some(Self { ring, wall, tightest, full: jaws.full }))
     }
 
     /// The largest force of all jaws that its wall bears.
@@ -125,6 +140,9 @@ impl Squeeze {
         findings
     }
 }
+
+/// From how many times the thinnest wall on a stretch keeps its shape: by the third power 27 times as stiff.
+const THICK: i64 = 3;
 
 /// Half of the angle over which a jaw touches, degrees: hard jaws with their edges only, soft ones over their width, full-grip ones
 /// nearly all around.
