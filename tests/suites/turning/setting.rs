@@ -5,11 +5,11 @@ use std::process::Command;
 use technolog::program::lathe::{LatheAct, LatheFeed, LatheLanguage, LatheSpeed, Subprogram, read};
 use technolog::turning::jobs::Work;
 use technolog::turning::operation::programs::{Form, programs};
-use technolog::turning::operation::setting::{DiameterLimits, SetTool, setting};
+use technolog::turning::operation::setting::{SetTool, setting};
 use technolog::turning::operation::times::times;
 use technolog::turning::operation::tool_table::tool_table;
 use technolog::turning::tooling::Lathe;
-use technolog::turning::workpiece::read_turned;
+use technolog::turning::workpiece::{ThreadLimits, read_turned};
 use technolog::words::{Lang, say};
 use technolog_testing::KNOWLEDGE;
 
@@ -49,12 +49,12 @@ fn a_tool_table_is_of_one_language() {
 fn a_thread_is_told_with_what_the_operator_measures() {
     let setting = setting(&planned(&example("turned-stepped")), "fanuc", &KNOWLEDGE).unwrap();
     let [thread] = setting.threads.as_slice() else { panic!("{:?}", setting.threads) };
-    let limits = |limits: Option<DiameterLimits>| limits.map(|one| (one.least_mm.to_mm(), one.most_mm.to_mm()));
+    let limits = |limits: &Option<ThreadLimits>| limits.as_ref().map(|one| (one.least.to_mm(), one.most.to_mm()));
     assert_eq!(thread.thread, "M30x2-6g");
-    assert_eq!(limits(thread.pitch_diameter), Some((28.493, 28.663)));
-    assert_eq!(limits(thread.crests), Some((29.682, 29.962)));
+    assert_eq!(limits(&thread.pitch_diameter), Some((28.493, 28.663)));
+    assert_eq!(limits(&thread.crests), Some((29.682, 29.962)));
     assert_eq!(thread.wire_mm.map(|wire| wire.to_mm()), Some(1.155));
-    assert_eq!(limits(thread.over_wires), Some((30.226, 30.396)));
+    assert_eq!(limits(&thread.over_wires), Some((30.226, 30.396)));
 }
 
 /// By hand: a centre drill with a pilot of 8 and 10.1 mm of it (ГОСТ 14034) opens the cone of its row, 17 mm.
