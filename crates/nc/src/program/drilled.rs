@@ -69,13 +69,12 @@ impl Holes {
         let upright = from.x == at.x && from.y == at.y;
         match &step.motion {
             Motion::Rapid => self.open &= upright,
-            Motion::Feed { feed_mm_per_min } if upright => {
-                if z < before {
-                    self.per_turn = feed_mm_per_min.0 / self.speed;
-                    let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
-                    self.down((seen.system, x, y), (before, z), step.block, seen, room);
-                }
+            Motion::Feed { feed_mm_per_min } if upright && z < before => {
+                self.per_turn = feed_mm_per_min.0 / self.speed;
+                let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
+                self.down((seen.system, x, y), (before, z), step.block, seen, room);
             }
+            Motion::Feed { .. } if upright => {}
             Motion::Feed { .. } | Motion::Arc { .. } => {
                 if let Some(hole) = self.last().filter(|hole| z < hole.begin) {
                     hole.mills = true;
