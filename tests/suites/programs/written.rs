@@ -47,7 +47,9 @@ fn visits(bench: &ProofBench, name: &str, language: &Language) -> Result<Visits,
     let (faults, proof, _) = bench.run(language, &text);
     // A part that does not fit on the machine has a finding of its job, and its program leaves the travels.
     let fits = fits(bench);
-    let faults: Vec<_> = faults.iter().filter(|fault| fits || fault.code != "beyond-travel-of").collect();
+    let faults = faults.iter().filter(|fault| fits || fault.code != "beyond-travel-of");
+    // Without the part nobody knows that the hole goes through, where a tap comes out farther than its drill.
+    let faults: Vec<_> = faults.filter(|fault| fault.code != "tap-beyond-hole-maybe").collect();
     prop_assert!(faults.is_empty(), "{name}: {faults:?}\n{text}");
     // A control has peck clearances of its own; that is a note.
     // That a holder needs a lower strap than the catalog's is a doubt about what the plan proposes, not about its motions.

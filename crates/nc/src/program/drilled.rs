@@ -23,6 +23,8 @@ type Place = (u8, i64, i64);
 #[derive(Clone, Copy, Debug)]
 struct Hole {
     place: Place,
+    /// The number of the tool change before it: a tool may come into the place of another.
+    section: usize,
     tool: u32,
     /// Where the first feed began and the last ended, over the zero, mm.
     begin: f64,
@@ -45,6 +47,7 @@ pub(super) struct Holes {
     holes: Vec<Hole>,
     /// Whether the last one goes on.
     open: bool,
+    section: usize,
     /// Feed for a turn on the last way down.
     per_turn: f64,
     turning: Option<Turning>,
@@ -66,13 +69,12 @@ impl Holes {
         let upright = from.x == at.x && from.y == at.y;
         match &step.motion {
             Motion::Rapid => self.open &= upright,
-            Motion::Feed { feed_mm_per_min } if upright => {
-                if z < before {
-                    self.per_turn = feed_mm_per_min.0 / self.speed;
-                    let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
-                    self.down((seen.system, x, y), (before, z), step.block, seen, room);
-                }
+            Motion::Feed { feed_mm_per_min } if upright && z < before => {
+                self.per_turn = feed_mm_per_min.0 / self.speed;
+                let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
+                self.down((seen.system, x, y), (before, z), step.block, seen, room);
             }
+            Motion::Feed { .. } if upright => {}
             Motion::Feed { .. } | Motion::Arc { .. } => {
                 if let Some(hole) = self.last().filter(|hole| z < hole.begin) {
                     hole.mills = true;
@@ -90,7 +92,10 @@ impl Holes {
                     hole.pitch.get_or_insert(pitch);
                 }
             }
-            Motion::ToolChange { .. } | Motion::End => self.open = false,
+            Motion::ToolChange { .. } | Motion::End => {
+                self.open = false;
+                self.section += 1;
+            }
             _ => {}
         }
     }
@@ -116,8 +121,8 @@ impl Holes {
             return;
         }
         let (milled, untouched) = if begin < -BELOW { room(begin) } else { (true, false) };
-        let (pitch, mills) = (None, false);
-        self.holes.push(Hole { place, tool, begin, bottom, milled, untouched, in_cycle, pitch, mills, block });
+        let (pitch, mills, section) = (None, false, self.section);
+        self.holes.push(Hole { place, section, tool, begin, bottom, milled, untouched, in_cycle, pitch, mills, block });
         self.open = true;
     }
 
@@ -135,7 +140,7 @@ impl Holes {
         let deepest = |index: usize, hole: &Hole| earlier(index, hole).map(|other| other.bottom).reduce(f64::min);
         // What a tap does itself before it is its way to the hole.
         let drilled = |index: usize, hole: &Hole| {
-            let others = earlier(index, hole).filter(|other| other.pitch.is_none() && other.tool != hole.tool);
+            let others = earlier(index, hole).filter(|other| other.pitch.is_none() && other.section != hole.section);
             others.map(|other| other.bottom).reduce(f64::min)
         };
         let mut told = Vec::new();
@@ -145,9 +150,9 @@ impl Holes {
             }
         };
         let taps = self.holes.iter().enumerate().filter(|(_, hole)| hole.pitch.is_some());
-        let taps_drilled: BTreeSet<u32> =
-            taps.filter(|(at, hole)| drilled(*at, hole).is_some()).map(|(_, hole)| hole.tool).collect();
-        let level = |hole: &Hole, begin: f64| (hole.tool, hole.place.0, hundredths(begin), hundredths(hole.bottom));
+        let taps_drilled: BTreeSet<usize> =
+            taps.filter(|(at, hole)| drilled(*at, hole).is_some()).map(|(_, hole)| hole.section).collect();
+        let level = |hole: &Hole, begin: f64| (hole.section, hole.place.0, hundredths(begin), hundredths(hole.bottom));
         let levels: BTreeSet<_> = self.holes.iter().map(|hole| level(hole, hole.begin)).collect();
         for (index, hole) in self.holes.iter().enumerate() {
             let note = |code| Note::new(code).with("tool", hole.tool);
@@ -182,7 +187,7 @@ impl Holes {
                 Some(_) => {}
                 None => {
                     let (_, x, y) = hole.place;
-                    if taps_drilled.contains(&hole.tool)
+                    if taps_drilled.contains(&hole.section)
                         && !milled([x, y].map(|along| along as f64 / 100.0), hole.bottom)
                     {
                         tell(hole.block, "tap-without-hole", note("tap-without-hole"));
@@ -199,9 +204,9 @@ impl Holes {
 
     /// Holes ten times as deep as the others of their tool that begin at the same height, each with the height to which those go.
     fn tenfold(&self) -> Vec<(&Hole, f64)> {
-        let mut rows: BTreeMap<(u32, u8, i64), Vec<&Hole>> = BTreeMap::new();
+        let mut rows: BTreeMap<(usize, u8, i64), Vec<&Hole>> = BTreeMap::new();
         for hole in self.holes.iter().filter(|hole| !hole.mills && hole.bottom < 0.0) {
-            rows.entry((hole.tool, hole.place.0, hundredths(hole.begin))).or_default().push(hole);
+            rows.entry((hole.section, hole.place.0, hundredths(hole.begin))).or_default().push(hole);
         }
         let mut found = Vec::new();
         for row in rows.values_mut().filter(|row| row.len() > 2) {

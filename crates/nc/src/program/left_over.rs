@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::setting::Before;
-use super::{Fault, TextSpan};
+use super::{Fault, Subject, TextSpan};
 use crate::note::Note;
 
 /// A group of modes that a block may rely on.
@@ -24,7 +24,7 @@ pub(super) fn never_set(
     own: &mut [bool],
     before: Before,
     relied_on: impl IntoIterator<Item = ReliedOn>,
-) -> Vec<(&'static str, Note)> {
+) -> Vec<(&'static str, Note, Subject)> {
     let mut words = [Vec::new(), Vec::new()];
     for ReliedOn { group, word, used, by_habit } in relied_on {
         if used && !std::mem::replace(&mut own[group], true) {
@@ -36,7 +36,8 @@ pub(super) fn never_set(
         "mode-left-over" => Note::new(code).with("words", words.join(", ")).with("before", before.word()),
         _ => Note::new(code).with("words", words.join(", ")),
     };
-    told.map(|(code, words)| (code, note(code, words))).collect()
+    // What they are about is joined at the end (`as_one`).
+    told.map(|(code, words)| (code, note(code, words.clone()), Subject::Function(words.join(", ")))).collect()
 }
 
 /// Whether a way along X or Y comes before the program has brought Z anywhere: the quill may be down. It is told once.
@@ -48,15 +49,16 @@ pub(super) fn height_unknown(known: &mut bool, lifts: bool, goes: bool) -> bool 
 /// What a program never sets is told once, where it first relies on any of it: the head of the program lacks it.
 pub(super) fn as_one(faults: &mut Vec<Fault>) {
     for code in ["mode-left-over", "habit-left-over"] {
-        let all: Vec<(TextSpan, Note)> =
-            faults.iter().filter(|fault| fault.code == code).map(|fault| (fault.span, fault.note.clone())).collect();
+        let of_code = faults.iter().filter(|fault| fault.code == code);
+        let all: Vec<(TextSpan, Option<Subject>)> = of_code.map(|fault| (fault.span, fault.subject.clone())).collect();
         let Some(first) = all.iter().map(|(span, _)| *span).min().filter(|_| all.len() > 1) else { continue };
         let mut known = BTreeSet::new();
-        let written = all.iter().filter_map(|(_, note)| note.figures().find(|(name, _)| *name == "words"));
-        let written: Vec<String> = written.map(|(_, words)| words.text().into_owned()).collect();
-        let words =
-            written.iter().flat_map(|words| words.split(", ")).filter(|word| known.insert(*word)).collect::<Vec<_>>();
-        let words = words.join(", ");
+        let written = all.iter().filter_map(|(_, subject)| match subject {
+            Some(Subject::Function(words)) => Some(words),
+            _ => None,
+        });
+        let words = written.flat_map(|words| words.split(", ")).filter(|word| known.insert(*word));
+        let words = words.collect::<Vec<_>>().join(", ");
         faults.retain(|fault| fault.code != code || fault.span == first);
         for fault in faults.iter_mut().filter(|fault| fault.code == code) {
             fault.note = fault.note.clone().with("words", words.clone());

@@ -40,8 +40,8 @@ impl Maker<'_> {
             let by_habit = group == SYSTEM || (matches!(group, LENGTH | RADIUS) && tool == 0);
             ReliedOn { group, word: format!("G{}", safe(group)), used, by_habit }
         });
-        for (code, note) in never_set(&mut self.state.own, self.setting.before, relied_on) {
-            self.tell_note(code, self.span, note);
+        for (code, note, subject) in never_set(&mut self.state.own, self.setting.before, relied_on) {
+            self.tell_fault(Fault { note, ..fault(code, self.span, self.block.number) }.about(subject));
         }
     }
 }

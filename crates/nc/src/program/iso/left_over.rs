@@ -47,8 +47,9 @@ impl Maker<'_> {
             let by_habit = group == Group::System || (matches!(group, Group::Length | Group::Radius) && tool == 0);
             ReliedOn { group: group as usize, word: word.to_owned(), used, by_habit }
         });
-        for (code, note) in never_set(&mut self.state.own, self.setting.before, relied_on) {
-            self.fault(code, self.span).note = note;
+        for (code, note, subject) in never_set(&mut self.state.own, self.setting.before, relied_on) {
+            let fault = self.fault(code, self.span);
+            (fault.note, fault.subject) = (note, Some(subject));
         }
     }
 }
