@@ -169,8 +169,11 @@ fn bridged(profile: &Profile, classes: &[Class], tool: Angles) -> (View, Vec<Bit
     (view, bits, done)
 }
 
+/// What keeps the tip from a point of a bit, and whether it reaches another of its points.
+type Shaded = (Option<Shade>, bool);
+
 /// The bits of a profile as a tool sees them, and what keeps the tool from each. Grooves are no metal.
-fn seen(profile: &Profile, tool: Angles) -> (View, Vec<Bit>, Vec<(Option<Shade>, bool)>) {
+fn seen(profile: &Profile, tool: Angles) -> (View, Vec<Bit>, Vec<Shaded>) {
     let view = View::new(profile, tool.hand);
     let bits = view.bits(profile);
     let shades = Edges::of(tool).shades(&bits, |bit| !is_groove(profile, bit));
