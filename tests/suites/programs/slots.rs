@@ -6,12 +6,13 @@ use std::process::{Command, Output};
 
 const CONTROLS: [&str; 6] = ["2c42-65", "linuxcnc", "fanuc", "haas-ngc", "mach3", "grbl"];
 
-/// Along an axis and across both, blind and through, narrow and wide, with and without a finishing way round.
+/// Along an axis and across both, blind and through, narrow and wide, with and without a finishing way round. No strap finds room
+/// on the face.
 const SLOTS: &str = "part: P
 material: steel-45
 blank: {kind: plate, length: 240, width: 120, thickness: 16}
 machine: gf2171
-fixture: {height: 60}
+fixture: {own: side clamps, height: 60}
 slots:
   - {name: S, centre: [0, 0], length: 70, angle: 27, width: 20H12, depth: 8, roughness: Ra 3.2, centre_tolerance: 0.4}
   - {name: T, centre: [60, -30], length: 40, angle: 90, width: 6H12, depth: 4, roughness: Ra 12.5, centre_tolerance: 0.4}

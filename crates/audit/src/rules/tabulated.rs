@@ -112,7 +112,7 @@ pub(crate) fn is_of_speed(context: &Context<'_>, id: Id) -> Result<bool, Knowled
 fn kind(context: &Context<'_>, id: Id) -> Option<Tabulated> {
     match id.quantity {
         Q::Feed if operation(context, id) == Some(Operation::CentreDrill) => Some(Tabulated::SpotFeed),
-        Q::Feed if operation(context, id) == Some(Operation::FinishReam) => Some(Tabulated::ReamerFeed),
+        Q::Feed if operation(context, id).is_some_and(Operation::is_reaming) => Some(Tabulated::ReamerFeed),
         Q::Feed => Some(Tabulated::Feed),
         Q::CardFeed | Q::CardSpeed | Q::CardForce | Q::CardPower => Some(Tabulated::Card),
         Q::FactorFeed | Q::FactorSpeed | Q::FactorForce | Q::FactorPower => Some(Tabulated::Factor),

@@ -9,8 +9,8 @@ use super::sizes::Sizes;
 use super::tailstock::Tailstock;
 use super::tools::Bench;
 use super::{
-    Operation, SetUpWork, SideWork, barred, centred, coolant, held, jobs, layers, opened, prepare, proof, squeeze, tapped,
-    turned_before, work,
+    Operation, SetUpWork, SideWork, barred, centred, coolant, held, jobs, layers, opened, prepare, proof, squeeze,
+    tapped, turned_before, work,
 };
 use crate::error::{KnowledgeError, Refusal};
 use crate::knowledge::Knowledge;

@@ -40,6 +40,7 @@ lost-by-time = longer by { $slower } min
 lost-by-little = longer by { $slower } min, less than { $percent } % of the time: as good
 lost-by-floor = leaves { $left } mm unfinished over the flat floor, not { $instead } mm
 lost-by-borrowing = shorter by { $quicker } min, but then the route of another hole has no drill to borrow
+lost-by-two-passes = shorter by { $quicker } min, but its drill would be there for another hole, too, which the rule then drills in two passes
 lost-by-order = equal time; later in the order of methods
 ranked-later = the tables rank it after { $first }, which is possible
 same-as = the same route as { $table } { $same }

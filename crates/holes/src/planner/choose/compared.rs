@@ -6,8 +6,8 @@ use crate::plan::Alternative;
 use crate::tables::holes::HoleDefault;
 use crate::units::{Minutes, round_to};
 
-use super::super::options::{Options, RefusedRoute};
-use super::{Chooser, SAME, minutes};
+use super::super::options::{Choice, Options, RefusedRoute};
+use super::{Chooser, SAME, drills_of, minutes};
 
 impl Chooser<'_, '_> {
     /// The group's time, and the routes it was compared with, best first, each with the reason why it lost.
@@ -48,7 +48,10 @@ impl Chooser<'_, '_> {
                     .with("slower", minutes(more))
                     .with("percent", round_to(near_tie * 100.0, 1)),
                 _ if more > SAME => Note::new("lost-by-time").with("slower", minutes(more)),
-                _ if more < -SAME => Note::new("lost-by-borrowing").with("quicker", minutes(-more)),
+                _ if more < -SAME => {
+                    let code = if self.brings_drill(group, other) { "lost-by-two-passes" } else { "lost-by-borrowing" };
+                    Note::new(code).with("quicker", minutes(-more))
+                }
                 _ => Note::new("lost-by-order"),
             };
             alternatives.push(Alternative {
@@ -69,6 +72,14 @@ impl Chooser<'_, '_> {
         alternatives.extend(options.refused.iter().map(RefusedRoute::to_alternative));
         let cost = self.shop.machine.minute_rate.map(|rate| round_to(time.0 * rate, 2));
         Some(ComparedRoutes { time: time.rounded(3), cost, margin, alternatives })
+    }
+}
+
+impl Chooser<'_, '_> {
+    /// Whether a route brings a drill into the magazine with which another hole, drilled at once, must be drilled twice.
+    fn brings_drill(&self, group: usize, route: &Choice) -> bool {
+        let others = (0..self.chosen.len()).filter(|other| *other != group).filter_map(|other| self.choice(other));
+        others.filter_map(|choice| choice.instead_of).any(|drill| drills_of(route).any(|own| own == drill))
     }
 }
 

@@ -91,7 +91,7 @@ pub(super) const RULES: &[Rule] = &[
     ("tap-feed", Wrong, "3.12.1.4*"),
     ("tap-feed-odd", Warning, "3.12.1.4*"),
     ("tap-beyond-hole", Wrong, "3.12.1.4*"),
-    ("tap-beyond-hole-maybe", Remark, "3.12.1.4*"),
+    ("tap-beyond-hole-maybe", Warning, "3.12.1.4*"),
     ("tap-without-hole", Wrong, "3.12.1.4*"),
     ("two-lengths", Wrong, "3.11.3*"),
     ("dwell-unit", Wrong, "3.10.6*"),

@@ -144,7 +144,7 @@ pub(super) const RULES: &[Rule] = &[
     ("tap-pitch-named", Wrong, "cycles"),
     ("tap-feed-odd", Warning, "cycles"),
     ("tap-beyond-hole", Wrong, "cycles"),
-    ("tap-beyond-hole-maybe", Remark, "cycles"),
+    ("tap-beyond-hole-maybe", Warning, "cycles"),
     ("tap-without-hole", Wrong, "cycles"),
 ];
 
