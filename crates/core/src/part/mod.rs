@@ -410,7 +410,7 @@ pub enum CentreTolerance {
 
 impl Blank {
     /// How far a point is from its nearest edge, its lower left corner being where the datum says; below zero outside it.
-    pub(crate) fn to_edge(&self, datum: &Datum, at: Point) -> Micrometres {
+    pub(crate) fn to_edge(self, datum: &Datum, at: Point) -> Micrometres {
         let (left, front) = (at.x - datum.left, at.y - datum.front);
         if !self.is_round() {
             return left.min(front).min(self.length - left).min(self.width - front);
