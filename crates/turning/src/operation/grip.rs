@@ -1,5 +1,7 @@
 //! How hard the jaws must hold a part, so that the heaviest cut neither turns it in them nor pulls it out.
 
+use std::ops::Range;
+
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
@@ -41,6 +43,10 @@ pub struct Grip {
     /// What stands before the finished face.
     #[serde(skip)]
     pub ahead: Ahead,
+    /// What they are loosened to before the bore is finished, where all of their force would spring it out of round, and what they are
+    /// tightened to after that.
+    #[serde(skip)]
+    pub loosened: Option<(Newtons, Option<Newtons>)>,
     /// What a chuck of that size presses with, where the size is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub given_n: Option<Newtons>,
@@ -94,11 +100,20 @@ impl Grip {
             over: jaws.length_mm,
             front: jaws.front_mm,
             ahead,
+            loosened: None,
             given_n,
             friction,
             safety,
             because,
         }))
+    }
+
+    /// Where the jaws are loosened and tightened, among the jobs of the set-up.
+    pub fn regrips(&self, jobs: &[Job]) -> Vec<Regrip> {
+        let (Some((force, tightened)), Some(bore)) = (self.loosened, finishes_bore(jobs)) else { return Vec::new() };
+        let tighter = tightened.filter(|_| bore.end < jobs.len());
+        let tighter = tighter.map(|force| Regrip { before: bore.end, force, loosens: false });
+        std::iter::once(Regrip { before: bore.start, force, loosens: true }).chain(tighter).collect()
     }
 
     /// What the jaws must press with for a job alone; none if its forces are not known.
@@ -204,6 +219,31 @@ impl Grip {
             .with("given", thousands(given));
         Some(Finding::of_part(severity, note))
     }
+}
+
+/// A stop at which the jaws are set to another force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Regrip {
+    /// The job before which it is.
+    pub before: usize,
+    /// What they press with from then on.
+    pub force: Newtons,
+    /// Whether that is less than before.
+    pub loosens: bool,
+}
+
+impl Regrip {
+    /// What the operator does.
+    pub fn note(&self) -> Note {
+        let code = if self.loosens { "jaws-stop-loosen" } else { "jaws-stop-tighten" };
+        Note::new(code).with("force", thousands(self.force))
+    }
+}
+
+/// The jobs from the first to the last that finishes the bore.
+pub(super) fn finishes_bore(jobs: &[Job]) -> Option<Range<usize>> {
+    let finishes = |job: &Job| job.side == Side::Inner && matches!(job.work, Work::Finish | Work::Ream);
+    Some(jobs.iter().position(finishes)?..jobs.iter().rposition(finishes)? + 1)
 }
 
 /// What stands of the blank before the finished face of the free end, in the coordinates of a set-up.
