@@ -10,6 +10,7 @@ use technolog::knowledge::{Diagnostic, Knowledge};
 use technolog::note::{Finding, Note, Severity};
 use technolog::report;
 use technolog::turning::jobs::Work;
+use technolog::turning::operation::Regrip;
 use technolog::turning::operation::gauging::gauges;
 use technolog::turning::operation::programs::{Form, OperationProgram, Remarks, programs, programs_named};
 use technolog::turning::operation::setting;
@@ -190,7 +191,8 @@ pub fn program(
     let named = |work: Work| context.lang.term("turn-does", work.name()).to_owned();
     let put = |put: &Put<'_>, offset: u32| context.lang.say(&put.note(offset));
     let single = |why: NotCycled| context.lang.say(&why.note());
-    let remarks = Remarks { work: &named, put: &put, single: &single };
+    let regrip = |one: &Regrip| context.lang.say(&one.note());
+    let remarks = Remarks { work: &named, put: &put, regrip: &regrip, single: &single };
     let all = programs_named(operation, control, form, wanted.spindle, remarks, knowledge).map_err(lacking)?;
     let Some(written) = wanted.number.checked_sub(1).and_then(|index| all.get(index)) else {
         let (message, help) = if all.is_empty() {
@@ -292,7 +294,8 @@ pub fn report(
     let named = |work: Work| context.lang.term("turn-does", work.name()).to_owned();
     let put = |put: &Put<'_>, offset: u32| context.lang.say(&put.note(offset));
     let single = |why: NotCycled| context.lang.say(&why.note());
-    let remarks = Remarks { work: &named, put: &put, single: &single };
+    let regrip = |one: &Regrip| context.lang.say(&one.note());
+    let remarks = Remarks { work: &named, put: &put, regrip: &regrip, single: &single };
     let all = programs_named(&operation, control.name(), Form::Motions, None, remarks, knowledge).map_err(lacking)?;
     let list = report::turning::programs_list(&all, context.lang);
     let is_read = turned::reader(control.name(), knowledge).map_err(lacking)?.is_some();

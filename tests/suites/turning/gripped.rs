@@ -1,7 +1,11 @@
 //! Whether jaws hold a part, and whether it bears them.
 
 use technolog::note::Severity;
-use technolog::turning::operation::plan;
+use technolog::turning::contour::Side;
+use technolog::turning::jobs::Work;
+use technolog::turning::operation::programs::{Form, programs};
+use technolog::turning::operation::setting::setting;
+use technolog::turning::operation::{SetUpWork, plan};
 use technolog::turning::workpiece::read_workpiece;
 use technolog_testing::KNOWLEDGE;
 
@@ -55,3 +59,80 @@ fn a_flange_on_a_short_hub_tips() {
     // Left to the plan, passes are as shallow as the jaws hold.
     assert!(!weak(part("")));
 }
+
+/// A bar of 250 mm for a part of 90, by hand: 13 mm of soft jaws from 3 mm behind the face hold 40000·(13 + 0.1·40)/(2·√3) = 196 N·m.
+/// Facing begins 158 mm before it: at 3.35 mm deep 1855 N act at 158 + 3 + 6.5 = 167.5 mm, 311 N·m, and across them the
+/// feed there less the side force at a radius of 20 mm. With 6 mm of stock they act at 15.5 mm only.
+#[test]
+fn stock_before_the_face_is_part_of_the_arm() {
+    let part = |length: u32| {
+        format!(
+            "shaft: Long bar\nmaterial: steel-45\nblank: {{kind: bar, diameter: 40, length: {length}, face: 2}}\n\
+             machine: 16k20f3\nroughing: {{limiting_depth: 3.35}}\nouter:\n  - {{from: {{d: 0, z: 0}}}}\n  \
+             - {{face: 24}}\n  - {{cylinder: -35}}\n  - {{face: 32}}\n  - {{cylinder: -73}}\n  - {{face: 40}}\n  \
+             - {{cylinder: -90}}\n"
+        )
+    };
+    let operation = plan(&read_workpiece("part", &part(250), &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
+    let tips = operation.set_ups[1].grip.as_ref().unwrap().tips_n_m.unwrap();
+    let face = operation.set_ups[1].jobs.iter().find(|job| job.work == Work::Face).unwrap();
+    let cut = face.conditions.as_ref().unwrap();
+    let [main, across, along] = [cut.main_force_n, cut.axial_force_n, cut.radial_force_n].map(|one| one.unwrap().0);
+    let by_hand = (main * 0.1675).hypot(across * 0.1675 - along * 0.020);
+    assert!(main * 0.1675 > 310.0 && (tips.0 - by_hand).abs() < 0.01 * by_hand, "{tips:?} {by_hand}");
+    assert!(told(&part(250)).contains(&(Severity::Wrong, "grip-tips".to_owned())));
+    assert!(!told(&part(98)).iter().any(|one| one.1 == "grip-tips"));
+}
+
+/// The head of Ø40 stays as the bar has it and needs no stock; the far face has its allowance, 0.7 mm by the table, and is finished with
+/// it. It is no surface of the set-up, and no feed is told for it by name.
+#[test]
+fn a_head_of_the_bar_itself_is_no_work() {
+    let part = "shaft: Head\nmaterial: steel-45\nblank: {kind: bar, diameter: 40, length: 84, face: 2}\nmachine: 16k20f3\n\
+                outer:\n  - {from: {d: 0, z: 0}}\n  - {face: 28}\n  - {chamfer: 1}\n  \
+                - {cylinder: -50, name: j, grade: h9, roughness: Ra 3.2}\n  - {face: 40}\n  - {cylinder: -80}\n";
+    let operation = plan(&read_workpiece("part", part, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
+    let finish = operation.set_ups[1].jobs.iter().find(|job| job.work == Work::Finish).unwrap();
+    assert_eq!(finish.conditions.as_ref().unwrap().depth_mm.to_mm(), 0.7);
+    assert!(finish.surfaces.is_empty() && finish.notes.iter().all(|note| !note.code().starts_with("finish-feed")));
+    assert!(!operation.has_errors());
+}
+
+/// A lathe that is named and has a chuck: only that nothing is long enough for its jaws is told, and no lathe is asked for.
+#[test]
+fn a_named_lathe_is_not_asked_for() {
+    let part = |machine: &str| {
+        format!(
+            "shaft: Stub\nmaterial: steel-45\nblank: {{kind: bar, diameter: 40, length: 13, face: 1}}\n{machine}outer:\n  \
+             - {{from: {{d: 0, z: 0}}}}\n  - {{face: 30}}\n  - {{cylinder: -6}}\n  - {{face: 36}}\n  - {{cylinder: -12}}\n"
+        )
+    };
+    let has = |machine: &str, code: &str| told(&part(machine)).iter().any(|one| one.1 == code);
+    assert!(has("machine: 16k20f3\n", "jaws-not-proven-none"));
+    assert!(!has("machine: 16k20f3\n", "jaws-not-proven"));
+}
+
+/// A ring that roughing would spring out of round: before its bore is finished the program stops, after all roughing, and the sheet has
+/// the stop, too.
+#[test]
+fn a_program_stops_where_the_jaws_are_loosened() {
+    let part = RING;
+    assert!(told(part).iter().any(|one| one.1 == "jaws-loosen"));
+    let operation = plan(&read_workpiece("part", part, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
+    let stopped = |one: &&SetUpWork| one.grip.as_ref().is_some_and(|grip| !grip.regrips(&one.jobs).is_empty());
+    let set_up = operation.set_ups.iter().find(stopped).unwrap();
+    let number = set_up.set_up.number;
+    let programs = programs(&operation, "fanuc", Form::Motions, None, &KNOWLEDGE).unwrap();
+    let text = &programs.iter().find(|one| one.set_up == number).unwrap().files.as_ref().unwrap()[0].text;
+    let lines: Vec<&str> = text.lines().collect();
+    let stop = lines.iter().position(|line| line.split(' ').any(|word| word == "M0" || word == "M00")).unwrap();
+    assert!(lines[stop - 1].to_lowercase().contains("kn"), "{}", lines[stop - 1]);
+    let bar = &set_up.jobs.iter().find(|job| job.side == Side::Inner && job.work == Work::Finish).unwrap().tool;
+    assert!(lines[stop + 1].to_lowercase().contains(&bar.designation.to_lowercase()), "{}", lines[stop + 1]);
+    assert!(lines[stop..].iter().all(|line| !line.to_lowercase().contains("rough")));
+    let sheet = setting(&operation, "fanuc", &KNOWLEDGE).unwrap();
+    let notes = &sheet.set_ups.iter().find(|one| one.set_up == number).unwrap().notes;
+    assert!(notes.iter().any(|note| note.code() == "jaws-stop"));
+}
+
+const RING: &str = "# thin-walled ring, bronze-less: aluminium, full grip\nshaft: Thin ring\nmaterial: aluminium-d16\nblank: {kind: tube, diameter: 105, bore: 85, length: 60, face: 2}\nmachine: 16k20f3\nouter:\n  - {from: {d: 94, z: 0}}\n  - {face: 100}\n  - {chamfer: 0.5}\n  - {cylinder: -25, name: seat, grade: h7, roughness: Ra 1.6}\ninner:\n  - {from: {d: 94, z: 0}}\n  - {chamfer: 0.5}\n  - {cylinder: -25, name: bore, grade: H7, roughness: Ra 1.6}\n";

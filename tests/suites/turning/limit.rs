@@ -60,6 +60,7 @@ impl<'k> Case<'k> {
             bore_depth: None,
             part: None,
             grip: None,
+            stands_out: technolog::turning::length::Half::ZERO,
             spindle_most: None,
         }
     }

@@ -283,7 +283,8 @@ pub(super) fn checks(
         let across = across_part(cut);
         let known = forces.law(across).is_ok() && forces.law(along).is_ok();
         if let Some(tips) = grip.tips.filter(|_| known && !cut.tool.plunges()) {
-            let (measure, capacity) = (Measure::Tip(across, along, tips.lever_mm), Load::TorqueNM(tips.most));
+            let lever = tips.lever_mm + cut.stands_out.to_mm();
+            let (measure, capacity) = (Measure::Tip(across, along, lever), Load::TorqueNM(tips.most));
             let check = Check { bound: Bound::Tipping, measure, capacity, because: grip.because.clone() };
             tried.push((Bound::Tipping, Some(Component::Main), Ok(check)));
         }
@@ -466,7 +467,7 @@ pub struct GripLimit {
 /// What jaws hold against tipping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TipLimit {
-    /// From the middle of the grip to the free end, where a cut tips most, mm.
+    /// From the middle of the grip to Z 0, the finished face of the free end; the stock before it comes from the cut, mm.
     pub lever_mm: f64,
     /// The largest moment.
     pub most: NewtonMetres,

@@ -27,6 +27,7 @@ use crate::material::Material;
 use crate::reason::Uncut;
 use crate::tables::cutting::Surface;
 use crate::tables::lathes::LatheQuantity;
+use crate::turning::length::Half;
 use crate::turning::tooling::{Lathe, Place, TurningTool};
 use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
@@ -67,6 +68,8 @@ pub struct TurningCut<'a, 'k> {
     pub part: Option<&'a Flexibility>,
     /// What the jaws hold; none if it is unknown or does not matter.
     pub grip: Option<&'a GripLimit>,
+    /// How far before Z 0 the cut begins, on stock that stands there: so much longer is the arm with which it tips the part.
+    pub stands_out: Half,
     /// The spindle speed of the pass that the cut is a part of: it turns no faster. None for a cut of its own.
     pub spindle_most: Option<RevsPerMinute>,
 }

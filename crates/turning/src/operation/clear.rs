@@ -86,7 +86,8 @@ pub(super) fn zone_work(
     };
     let bore_depth = (ground.rough.side == Side::Inner).then(|| zone.to_z.rounded_up());
     let part = bench.held.as_ref().map(|held| held.over(zone.from_z, zone.to_z, None));
-    let task = ZoneCut { tool, diameter, direction, stock, bore_depth, part: part.as_ref(), spindle_most: None };
+    let (begins, part) = (zone.from_z, part.as_ref());
+    let task = ZoneCut { tool, diameter, direction, stock, bore_depth, begins, part, spindle_most: None };
     work.depth = depth::depth(task, bench, findings)?;
     let Some(limit) = work.depth.as_ref().map(|depth| depth.limiting_depth_mm) else { return Ok(work) };
     // Checked before the levels are made, because they might not fit into memory.

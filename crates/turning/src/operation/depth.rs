@@ -70,6 +70,8 @@ pub struct ZoneCut<'a, 'k> {
     pub stock: Half,
     /// The depth of the cut in a bore; none outside.
     pub bore_depth: Option<Micrometres>,
+    /// Z where it begins, before the finished face on the stock that stands there.
+    pub begins: Half,
     /// The deflection of the part there.
     pub part: Option<&'a Flexibility>,
     /// The spindle speed of the pass that it is a part of; none for a cut of its own.
@@ -244,7 +246,8 @@ fn cut<'a, 'k>(
     let note = Note::new("turning-skin").with("kind", Figure::word(stock.name())).with("surface", surface.name());
     let because = Because::answer(&asked.answer, note);
     let ZoneCut { bore_depth, part, spindle_most, .. } = task;
-    let cut = TurningCut { surface, bore_depth, part, grip: bench.grip.as_ref(), spindle_most, ..cut };
+    let stands_out = (Half::ZERO - task.begins).max(Half::ZERO);
+    let cut = TurningCut { surface, bore_depth, part, grip: bench.grip.as_ref(), stands_out, spindle_most, ..cut };
     Ok(Some((cut, because)))
 }
 

@@ -29,13 +29,15 @@ use super::tools::{self, Bench};
 use super::{Sized, Stage};
 
 /// The largest finishing allowance of the surfaces of a pass; for a far face alone, which is no surface of the
-/// set-up, the one over it. If none of them is known, the largest of the side.
+/// set-up, the one over it. If none of them is known, the largest of the side; where that has none, as its surfaces stay as the blank
+/// has them, the one over its face.
 pub(super) fn allowance(layers: &Layers, surfaces: &[&Surface]) -> Half {
     let start = |contour: &Contour| contour.start().map_or(Half::ZERO, |start| start.z);
     let over_face = start(&layers.left) - start(&layers.rough);
     let known = layers.allowances.iter().filter_map(|one| Some((&one.surface, one.allowance_mm?)));
     let own = known.clone().filter(|(name, _)| surfaces.iter().any(|surface| surface.name == **name));
-    own.map(|one| one.1).max().or_else(|| known.map(|one| one.1).max()).unwrap_or(over_face)
+    let of_side = || known.map(|one| one.1).max().filter(|most| *most > Half::ZERO);
+    own.map(|one| one.1).max().or_else(of_side).unwrap_or(over_face)
 }
 
 /// The task of a finishing pass.
@@ -344,7 +346,7 @@ impl<'a> Finishing<'a> {
     ) -> Result<Option<TurningConditions>, KnowledgeError> {
         let bore_depth = (self.side == Side::Inner).then(|| ends(self.contour).1.rounded_up());
         let (diameter, direction, stock) = (largest(self.contour), stretch.direction, stretch.depth);
-        let task = ZoneCut { tool, diameter, direction, stock, bore_depth, part, spindle_most };
+        let task = ZoneCut { tool, diameter, direction, stock, bore_depth, begins: stretch.from, part, spindle_most };
         depth::found(task, stretch.depth, Some(stretch.roughness), bench, findings)
     }
 
@@ -427,6 +429,8 @@ fn told(own: &[(&Stretch<'_>, MillimetresPerRev)]) -> Vec<Note> {
             None => feeds.push((*feed, stretch.roughness, names.collect())),
         }
     }
+    // A far face is no surface of its set-up: nothing is named for it.
+    feeds.retain(|one| !one.2.is_empty());
     let most = feeds.iter().map(|one| one.2.len()).max().unwrap_or_default();
     let others = feeds.iter().position(|one| one.2.len() == most && most > 1).map(|index| feeds.remove(index));
     let note = |code: &'static str, feed: MillimetresPerRev, roughness| {

@@ -1,5 +1,7 @@
 //! How hard the jaws must hold a part, so that the heaviest cut neither turns it in them nor pulls it out.
 
+use std::ops::Range;
+
 use serde::Serialize;
 
 use crate::error::KnowledgeError;
@@ -11,8 +13,10 @@ use crate::turning::cutting::{GripLimit, TipLimit, pull as turning_pull, tipping
 use crate::turning::jobs::{Job, Work};
 use crate::turning::length::Half;
 use crate::turning::toolpath::Purpose;
+use crate::turning::zones::Feed;
 use crate::units::{Micrometres, NewtonMetres, Newtons};
 
+use super::SideWork;
 use super::jaws::Jaws;
 
 /// The gripping force that a set-up requires, of all jaws together.
@@ -36,6 +40,13 @@ pub struct Grip {
     /// Z of their front.
     #[serde(skip)]
     pub front: Half,
+    /// What stands before the finished face.
+    #[serde(skip)]
+    pub ahead: Ahead,
+    /// What they are loosened to before the bore is finished, where all of their force would spring it out of round, and what they are
+    /// tightened to after that.
+    #[serde(skip)]
+    pub loosened: Option<(Newtons, Option<Newtons>)>,
     /// What a chuck of that size presses with, where the size is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub given_n: Option<Newtons>,
@@ -64,6 +75,7 @@ impl Grip {
         jaws: Option<&Jaws>,
         alone: bool,
         jobs: &[Job],
+        ahead: Ahead,
         knowledge: &Knowledge,
     ) -> Result<Option<Self>, KnowledgeError> {
         let Some(jaws) = jaws.filter(|jaws| jaws.grips_mm > Micrometres::ZERO) else { return Ok(None) };
@@ -74,7 +86,8 @@ impl Grip {
         let seat_mm = held.seat_mm(jaws);
         let Held { friction, safety, given_n, because } = held;
         let middle = jaws.front_mm.to_mm() + jaws.length_mm.to_mm() / 2.0;
-        let tips = jobs.iter().filter_map(|job| tips(job, middle)).max_by(|one, other| one.0.total_cmp(&other.0));
+        let tips =
+            jobs.iter().filter_map(|job| tips(job, middle, ahead)).max_by(|one, other| one.0.total_cmp(&other.0));
         let tips_n_m = tips.filter(|_| alone);
         let upright = tips_n_m.map_or(0.0, |moment| safety * moment.0 * 1000.0 / seat_mm);
         let required_n = Newtons((safety * pull / friction).max(upright));
@@ -86,6 +99,8 @@ impl Grip {
             seat_mm,
             over: jaws.length_mm,
             front: jaws.front_mm,
+            ahead,
+            loosened: None,
             given_n,
             friction,
             safety,
@@ -93,11 +108,19 @@ impl Grip {
         }))
     }
 
+    /// Where the jaws are loosened and tightened, among the jobs of the set-up.
+    pub fn regrips(&self, jobs: &[Job]) -> Vec<Regrip> {
+        let (Some((force, tightened)), Some(bore)) = (self.loosened, finishes_bore(jobs)) else { return Vec::new() };
+        let tighter = tightened.filter(|_| bore.end < jobs.len());
+        let tighter = tighter.map(|force| Regrip { before: bore.end, force, loosens: false });
+        std::iter::once(Regrip { before: bore.start, force, loosens: true }).chain(tighter).collect()
+    }
+
     /// What the jaws must press with for a job alone; none if its forces are not known.
     pub fn required_by(&self, job: &Job) -> Option<Newtons> {
         let slips = self.safety * pull(job, self.grips_mm)? / self.friction;
         let middle = self.front.to_mm() + self.over.to_mm() / 2.0;
-        let tips = tips(job, middle).filter(|_| self.tips_n_m.is_some());
+        let tips = tips(job, middle, self.ahead).filter(|_| self.tips_n_m.is_some());
         Some(Newtons(slips.max(tips.map_or(0.0, |moment| self.safety * moment.0 * 1000.0 / self.seat_mm))))
     }
 
@@ -198,6 +221,50 @@ impl Grip {
     }
 }
 
+/// A stop at which the jaws are set to another force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Regrip {
+    /// The job before which it is.
+    pub before: usize,
+    /// What they press with from then on.
+    pub force: Newtons,
+    /// Whether that is less than before.
+    pub loosens: bool,
+}
+
+impl Regrip {
+    /// What the operator does.
+    pub fn note(&self) -> Note {
+        let code = if self.loosens { "jaws-stop-loosen" } else { "jaws-stop-tighten" };
+        Note::new(code).with("force", thousands(self.force))
+    }
+}
+
+/// The jobs from the first to the last that finishes the bore.
+pub(super) fn finishes_bore(jobs: &[Job]) -> Option<Range<usize>> {
+    let finishes = |job: &Job| job.side == Side::Inner && matches!(job.work, Work::Finish | Work::Ream);
+    Some(jobs.iter().position(finishes)?..jobs.iter().rposition(finishes)? + 1)
+}
+
+/// What stands of the blank before the finished face of the free end, in the coordinates of a set-up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Ahead {
+    /// Z of the end of the stock that is faced away.
+    pub stock: Half,
+    /// Z of the face that roughing leaves.
+    pub face: Half,
+}
+
+impl Ahead {
+    /// That of a set-up by its roughing.
+    pub(super) fn of(sides: &[SideWork]) -> Self {
+        let face = super::jobs::rough_face(sides).min(Half::ZERO);
+        let zones = sides.iter().filter(|side| side.side == Side::Outer).flat_map(|side| &side.zones);
+        let faced = zones.map(|work| &work.zone).filter(|zone| zone.feed == Feed::Across).map(|zone| zone.from_z);
+        Self { stock: faced.min().map_or(face, |from| from.min(face)), face }
+    }
+}
+
 /// What jaws hold with.
 struct Held {
     friction: f64,
@@ -213,14 +280,16 @@ impl Held {
     }
 }
 
-/// The moment with which a job tips the part around the middle of the grip; none if its forces are not known.
-fn tips(job: &Job, middle_mm: f64) -> Option<NewtonMetres> {
+/// The moment with which a job tips the part around the middle of the grip, where it cuts farthest out of it: facing begins at the end
+/// of the stock. None if its forces are not known.
+fn tips(job: &Job, middle_mm: f64, ahead: Ahead) -> Option<NewtonMetres> {
     let conditions = job.conditions.as_ref()?;
     let (main, torque) = (conditions.main_force_n?, conditions.torque_n_m?);
     let (feed, side) = (conditions.axial_force_n?, conditions.radial_force_n?);
     let (along, across) = if job.work == Work::Face { (side, feed) } else { (feed, side) };
     let cuts = job.path.moves.iter().filter(|one| one.purpose != Purpose::Rapid);
-    let first = cuts.map(|one| one.to.z).min()?.max(Half::ZERO);
+    let first = cuts.map(|one| one.to.z).min()?;
+    let first = if job.work == Work::Face { ahead.stock } else { first.max(ahead.face) };
     // Torque is Pz·D/2000 by the largest diameter.
     let radius = if main.0 > 0.0 { 1000.0 * torque.0 / main.0 } else { 0.0 };
     let radius = if job.side == Side::Inner { -radius } else { radius };

@@ -79,7 +79,7 @@ use work::{Hollow, ZoneWork};
 
 pub use axial::{Axial, AxialHole};
 pub use barred::{Barred, Stage};
-pub use grip::Grip;
+pub use grip::{Grip, Regrip};
 pub use jaws::{ChuckBody, Jaws};
 pub use plan::plan;
 pub use sizes::{SizeOf, Sized, Sizes};

@@ -2,7 +2,7 @@
 
 use super::axial::Axial;
 use super::barred::Barred;
-use super::grip::Grip;
+use super::grip::{Ahead, Grip};
 use super::jaws::Jaws;
 use super::parted::{NotParted, Parted};
 use super::sizes::Sizes;
@@ -172,8 +172,9 @@ pub(super) fn plan_without(
             }
         }
         coolant::mark_dry(&mut jobs, bench.material.group, knowledge)?;
-        let grip = Grip::of(jaws.as_ref(), alone, &jobs, knowledge)?;
-        if let (Some(squeeze), Some(grip)) = (&squeeze, &grip) {
+        let mut grip = Grip::of(jaws.as_ref(), alone, &jobs, Ahead::of(&sides), knowledge)?;
+        if let (Some(squeeze), Some(grip)) = (&squeeze, &mut grip) {
+            grip.loosened = squeeze.loosened(grip, &jobs);
             findings.extend(squeeze.findings(grip, &jobs, set_up.number));
         }
         findings.extend(grip.as_ref().and_then(|grip| grip.finding(set_up.number)));

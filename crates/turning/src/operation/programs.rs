@@ -15,11 +15,12 @@ use crate::turning::toolpath::Toolpath;
 use crate::turning::zones::Feed;
 use crate::units::RevsPerMinute;
 
+use super::grip::thousands;
 use super::jobs::per_rev;
 use super::turret::{Load, Put, Station, loads, station, stations};
 use super::unfinished::reaches_axis;
 use super::work::ZoneWork;
-use super::{Operation, SetUpWork, proof};
+use super::{Operation, Regrip, SetUpWork, proof};
 
 /// The form of programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,6 +51,8 @@ pub struct Remarks<'a> {
     pub work: &'a dyn Fn(JobWork) -> String,
     /// A tool that is put into the turret, with the number of its offset.
     pub put: &'a dyn Fn(&Put<'_>, u32) -> String,
+    /// What the jaws are set to at a stop.
+    pub regrip: &'a dyn Fn(&Regrip) -> String,
     /// Why the passes of a thread are written one by one.
     pub single: &'a dyn Fn(NotCycled) -> String,
 }
@@ -68,7 +71,9 @@ pub fn programs(
     let put =
         |put: &Put<'_>, offset: u32| format!("T{}: {}, {offset}", put.station.seat.place, put.station.tool.designation);
     let single = |why: NotCycled| why.name().to_owned();
-    programs_named(operation, control, form, spindle, Remarks { work: &by_id, put: &put, single: &single }, knowledge)
+    let regrip = |regrip: &Regrip| format!("{} kN", thousands(regrip.force));
+    let remarks = Remarks { work: &by_id, put: &put, regrip: &regrip, single: &single };
+    programs_named(operation, control, form, spindle, remarks, knowledge)
 }
 
 /// The same with comments in a language.
@@ -102,6 +107,7 @@ pub fn programs_named(
             sections(set_up, &stations, form, spindle, lathe_is_named, remarks.work).and_then(|mut sections| {
                 let put = |put: &Put<'_>| (remarks.put)(put, control.offset(put.station.seat));
                 stops(&mut sections, set_up, &stations, &loads, put);
+                regrips(&mut sections, set_up, &stations, remarks);
                 program::whole(&control, &operation.workpiece.name, number, &sections, end_of_part, remarks.single)
             })
         };
@@ -156,7 +162,7 @@ pub(super) fn sections(
             Form::Cycles => cycle(set_up, job).map(SectionCycle::Rough).or_else(thread),
             Form::Motions => None,
         };
-        let title = format!("T{} {}, {}", tool.place, job.tool.designation, named(job.work));
+        let title = title(tool, job, named);
         let one = |last: &&mut ToolSection| {
             last.tool == tool
                 && last.speed == speed
@@ -204,6 +210,25 @@ fn stops(
             section.load = Some(SectionLoad { remarks, stops: load.before > 0 });
         }
         from += at + 1;
+    }
+}
+
+/// The comment for a job with its tool.
+fn title(tool: Seat, job: &Job, named: &dyn Fn(JobWork) -> String) -> String {
+    format!("T{} {}, {}", tool.place, job.tool.designation, named(job.work))
+}
+
+/// Stops before the sections for which the jaws are loosened or tightened. Each begins a kind of work with another tool.
+fn regrips(sections: &mut [ToolSection], set_up: &SetUpWork, stations: &[Station], remarks: Remarks<'_>) {
+    for regrip in set_up.grip.iter().flat_map(|grip| grip.regrips(&set_up.jobs)) {
+        let Some(job) = set_up.jobs.get(regrip.before) else { continue };
+        let Some(tool) = station(stations, job).map(|one| one.seat) else { continue };
+        let title = title(tool, job, remarks.work);
+        if let Some(section) = sections.iter_mut().find(|one| one.tool == tool && one.title == title) {
+            let load = section.load.get_or_insert_with(|| SectionLoad { remarks: Vec::new(), stops: true });
+            load.remarks.push((remarks.regrip)(&regrip));
+            load.stops = true;
+        }
     }
 }
 

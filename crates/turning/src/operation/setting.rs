@@ -254,6 +254,10 @@ fn stand_notes(work: &SetUpWork, length: Half, loads: &[Load<'_>], control: &Con
             None => Note::new("turret-begins").with("tools", tools),
         });
     }
+    for regrip in work.grip.iter().flat_map(|grip| grip.regrips(&work.jobs)) {
+        let tool = work.jobs.get(regrip.before).map(|job| &*job.tool.designation);
+        notes.extend(tool.map(|tool| Note::new("jaws-stop").with("before", tool).with("what", regrip.note())));
+    }
     notes
 }
 

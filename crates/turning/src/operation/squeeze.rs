@@ -6,13 +6,13 @@ use crate::note::{Finding, Note, Severity};
 use crate::tables::lathes::{LatheWorkholding, WorkholdingFigure};
 use crate::turning::contour::{Contour, Side, SurfaceName};
 use crate::turning::cutting::{PartSection, PressedRing};
-use crate::turning::jobs::{Job, Work};
+use crate::turning::jobs::Job;
 use crate::turning::length::Half;
 use crate::turning::zones::SetUp;
 use crate::units::{ItGrade, Micrometres, Newtons};
 use technolog_core::part::tolerance_width;
 
-use super::grip::{Grip, thousands};
+use super::grip::{Grip, finishes_bore, thousands};
 use super::held::stretches;
 use super::jaws::Jaws;
 use super::tools::Bench;
@@ -99,6 +99,17 @@ impl Squeeze {
         self.ring.bears()
     }
 
+    /// What the jaws are loosened to before the bore is finished, and tightened to after that; none where it comes out round without, or
+    /// not even so.
+    pub fn loosened(&self, grip: &Grip, jobs: &[Job]) -> Option<(Newtons, Option<Newtons>)> {
+        let allowed = self.ring.allowed_mm(self.tightest.as_ref()?.1);
+        let bore = finishes_bore(jobs)?;
+        let after = jobs.get(bore.end..).and_then(|jobs| hardest(grip, jobs));
+        let force = hardest(grip, jobs.get(bore)?)?;
+        let loosens = self.ring.lobes_mm(force) <= allowed && self.ring.lobes_mm(grip.required_n) > allowed;
+        loosens.then_some((force, after.filter(|after| after.0 > force.0)))
+    }
+
     /// What is told of it: a wall that gives way, and a bore that comes out of round.
     pub fn findings(&self, grip: &Grip, jobs: &[Job], set_up: u8) -> Vec<Finding> {
         let mut findings = Vec::new();
@@ -113,9 +124,7 @@ impl Squeeze {
         }
         let Some((surface, tolerance)) = &self.tightest else { return findings };
         let allowed = self.ring.allowed_mm(*tolerance);
-        let finishing =
-            jobs.iter().filter(|job| job.side == Side::Inner && matches!(job.work, Work::Finish | Work::Ream));
-        let least = finishing.filter_map(|job| grip.required_by(job)).max_by(|one, other| one.0.total_cmp(&other.0));
+        let least = finishes_bore(jobs).and_then(|bore| hardest(grip, jobs.get(bore)?));
         // Jaws that nothing is known of for finishing stay as they are.
         let force = least.unwrap_or(grip.required_n);
         let (tight, loosened) = (self.ring.lobes_mm(grip.required_n), self.ring.lobes_mm(force));
@@ -139,6 +148,11 @@ impl Squeeze {
         }
         findings
     }
+}
+
+/// What the jaws must press with for the heaviest of some jobs.
+fn hardest(grip: &Grip, jobs: &[Job]) -> Option<Newtons> {
+    jobs.iter().filter_map(|job| grip.required_by(job)).max_by(|one, other| one.0.total_cmp(&other.0))
 }
 
 /// From how many times the thinnest wall on a stretch keeps its shape: by the third power 27 times as stiff.

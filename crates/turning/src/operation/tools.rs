@@ -124,6 +124,7 @@ impl<'a, 'k> Bench<'a, 'k> {
             bore_depth: None,
             part: None,
             grip: None,
+            stands_out: Half::ZERO,
             spindle_most: None,
         })
     }

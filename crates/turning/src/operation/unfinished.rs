@@ -21,9 +21,16 @@ pub(super) fn unfinished(operation: &Operation) -> Vec<Finding> {
     findings.extend(operation.set_ups.iter().flat_map(hollows_left));
     let between_centres = operation.workpiece.holding == Holding::Centres;
     let working = || operation.set_ups.iter().filter(|set_up| !set_up.jobs.is_empty());
-    let no_jaws = |set_up: &SetUpWork| !between_centres && set_up.jaws.is_none_or(|jaws| jaws.body.is_none());
+    // Without jaws another finding says why nothing holds the part.
+    let no_size = |set_up: &SetUpWork| !between_centres && set_up.jaws.is_some_and(|jaws| jaws.body.is_none());
+    let no_jaws = |set_up: &SetUpWork| !between_centres && set_up.jaws.is_none();
     let no_centre = |set_up: &SetUpWork| set_up.set_up.centre && set_up.tailstock.is_none();
-    let not_known = [("jaws-not-proven", working().any(no_jaws)), ("centre-not-proven", working().any(no_centre))];
+    let named = operation.workpiece.machine.is_some();
+    let not_known = [
+        (if named { "jaws-not-proven-of-lathe" } else { "jaws-not-proven" }, working().any(no_size)),
+        ("jaws-not-proven-none", working().any(no_jaws)),
+        ("centre-not-proven", working().any(no_centre)),
+    ];
     let not_known = not_known.into_iter().filter(|(_, any)| *any);
     findings.extend(not_known.map(|(code, _)| Finding::of_part(Severity::Doubtful, Note::new(code))));
     let faced =

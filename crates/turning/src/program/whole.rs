@@ -166,7 +166,7 @@ pub fn whole(
     }
     for (section, call) in sections.iter().zip(&calls) {
         check(section, name, words)?;
-        let same = before.filter(|before| before.tool == section.tool);
+        let same = before.filter(|before| before.tool == section.tool && section.load.is_none());
         if same.is_none() {
             change(&mut sheet, before.is_some(), end_of_part);
             load(&mut sheet, section.load.as_ref());

@@ -210,6 +210,9 @@ turret-holds = T{ $place }: { $tool }, offset { $offset }
 turret-exchanged = T{ $place }: { $tool } in place of { $out }, offset { $offset }
 turret-begins = the program begins with { $tools }
 turret-stop = before { $before } the program stops (M0): { $tools }; put the tools in, set their offsets, start again
+jaws-stop = before { $before } the program stops (M0): { $what }, start again
+jaws-stop-loosen = loosen the jaws to { $force } kN
+jaws-stop-tighten = tighten the jaws to { $force } kN
 # Drawings.
 turn-panel = { $variant }: cutting path { $path } mm, { $count } { $count ->
         [one] pass

@@ -211,6 +211,9 @@ turret-holds = T{ $place }: { $tool }, коректор { $offset }
 turret-exchanged = T{ $place }: { $tool } замість { $out }, коректор { $offset }
 turret-begins = на початку програми стоять: { $tools }
 turret-stop = перед { $before } програма зупиняється (M0): { $tools }; поставте інструменти, задайте їхні корекції й пустіть програму далі
+jaws-stop = перед { $before } програма зупиняється (M0): { $what } й пустіть програму далі
+jaws-stop-loosen = попустіть кулачки до { $force } кН
+jaws-stop-tighten = затисніть кулачки до { $force } кН
 # Drawings.
 turn-panel = { $variant }: шлях різання { $path } мм, { $count } { $count ->
         [one] робочий хід
