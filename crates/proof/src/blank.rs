@@ -25,6 +25,10 @@ pub(crate) fn faults(plan: &Plan, shop: &Shop<'_>) -> Result<Vec<Finding>, Knowl
             if stock < cast {
                 faults.push((&hole.name, Fault::CastStock { cast: own, stock, least: cast }));
             }
+            // The file has no key for its depth.
+            if !hole.through {
+                faults.push((&hole.name, Fault::CastDepth { cast: own, depth: hole.depth }));
+            }
         }
     }
     faults.extend(springing(plan, shop)?);

@@ -98,6 +98,10 @@ pub enum Fault {
     BarBeyondMachine { operation: Operation, set: Micrometres, largest: Micrometres },
     /// A boring bar is as thick as the hole that it enters, or thicker.
     BarEnters { operation: Operation, bar: Micrometres, hole: Micrometres },
+    /// The pilot of a counterbore has less room in a blind hole than it is wide, or none at all.
+    PilotMeetsFloor { operation: Operation, pilot: Micrometres, room: Micrometres, least: Micrometres, none: bool },
+    /// Nobody says how deep a blind cast hole is: at its floor tools may meet metal.
+    CastDepth { cast: Micrometres, depth: Micrometres },
     /// A wall is thinner than such a wall may be.
     Wall { beside: Beside, wall: Micrometres, least: Micrometres },
     /// Nothing is left of a wall where the drawing permits its holes to lie.
@@ -125,6 +129,8 @@ impl Fault {
             | Self::MeetsFloor { .. }
             | Self::MiddleInMetal { .. }
             | Self::Wall { .. }
+            | Self::PilotMeetsFloor { none: false, .. }
+            | Self::CastDepth { .. }
             | Self::CastStock { .. }
             | Self::UnderSkin { .. }
             | Self::Hard { .. }
@@ -230,6 +236,11 @@ impl Fault {
             Self::BarEnters { operation, bar, hole } => {
                 of("proof-bar-enters", operation).with("bar", bar).with("hole", hole)
             }
+            Self::PilotMeetsFloor { operation, pilot, room, least, none } => {
+                let code = if *none { "proof-pilot-has-no-room" } else { "proof-pilot-room" };
+                of(code, operation).with("pilot", pilot).with("room", room).with("least", least)
+            }
+            Self::CastDepth { cast, depth } => Note::new("proof-cast-depth").with("cast", cast).with("depth", depth),
             Self::Wall { beside, wall, least } => beside
                 .note(["proof-wall-to-edge", "proof-wall-among", "proof-wall-between"])
                 .with("wall", wall)

@@ -9,7 +9,7 @@
 //! - `hole` simulates the transitions of a hole: worst-case sizes, positions and depths;
 //! - `shoulder` points of drills over flat shoulders;
 //! - `cylinder` the requirements of the drawing for a surface; `reach` the practice tables of a transition;
-//! - `loads` forces and power with their margin; `tool` the strength of the tool; `holder` what is left under it; `fault` all faults, as types.
+//! - `loads` forces and power with their margin; `tool` the strength of the tool; `holder` what is left under it; `pilot` its room in a blind hole; `fault` all faults, as types.
 //!
 //! Architecture invariant: the proof does not use the planner, makes no choices and corrects nothing.
 
@@ -20,6 +20,7 @@ mod holder;
 mod hole;
 mod loads;
 mod middle;
+mod pilot;
 mod reach;
 mod reamer;
 mod shoulder;
@@ -57,6 +58,7 @@ pub fn prove(plan: &Plan, shop: &Shop<'_>) -> Result<Vec<Finding>, KnowledgeErro
         let mut faults = prove_hole(hole, &planned.transitions, &plan.part, shop)?;
         faults.extend(reamer::bought_too_wide(hole, planned, plan, shop)?);
         faults.extend(holder::low(hole, planned, plan, shop)?);
+        faults.extend(pilot::meets_floor(hole, planned, plan, shop)?);
         findings.extend(faults.iter().map(|fault| Finding::of_hole(fault.severity(), &hole.name, fault.note())));
     }
     findings.extend(blank::faults(plan, shop)?);

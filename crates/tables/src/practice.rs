@@ -278,6 +278,8 @@ vocabulary! {
         LeastFloor = "least-floor",
         LeastFloorShare = "least-floor-share",
         CoreDrillLips = "core-drill-lips",
+        PilotLengthDiameters = "pilot-length-diameters",
+        ShortestPilot = "shortest-pilot",
         HardestForSteel = "hardest-for-high-speed-steel",
         HardForSteel = "hard-for-high-speed-steel",
         LeastWall = "least-wall",

@@ -57,6 +57,8 @@ pub(super) fn check<'a>(
                 Fault::Wall { .. }
                 | Fault::NoWall { .. }
                 | Fault::CastStock { .. }
+                | Fault::CastDepth { .. }
+                | Fault::PilotMeetsFloor { .. }
                 | Fault::HolderLow { .. }
                 | Fault::PlateSprings { .. }
                 | Fault::NotFinished { .. }

@@ -415,6 +415,9 @@ pub struct ToolPlan {
     /// The diameter of the exchangeable pilot that guides a counterbore in the hole before it, mm; absent for other tools.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pilot_mm: Option<Micrometres>,
+    /// The lead of a bottoming tap in pitches; absent for taps with the usual lead and for other tools.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lead_pitches: Option<f64>,
     /// The grade of the field H that a finishing reamer is bought for; absent for other tools.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bought_for_h: Option<ItGrade>,

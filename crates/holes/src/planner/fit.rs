@@ -107,6 +107,8 @@ pub(super) struct FittedTool {
     pub ground_from: Option<Micrometres>,
     /// The hole that the pilot of a counterbore fits, where the catalog's has a bore for one.
     pub pilot: Option<Micrometres>,
+    /// The lead of a tap in pitches, where it is not the usual one: a bottoming tap is a tool of its own.
+    pub lead_pitches: Option<f64>,
     /// Whether it is a mill whose end teeth reach its middle.
     pub centre_cutting: bool,
     /// The assembly; its reasons are among those below.
@@ -480,6 +482,8 @@ impl<'p, 'k> Fitting<'p, 'k> {
             size: if fixed_size(step.operation) { cutter.diameter } else { step.diameter },
             ground_from: (grinds && cutter.diameter > step.diameter.min(step.nominal)).then_some(cutter.diameter),
             pilot: cutter.row.pilot_bore.filter(|_| step.operation == Operation::Counterbore).map(|_| step.from),
+            lead_pitches: (step.operation == Operation::Tap && self.tap_lead.1 != HoleDefault::TapLeadPitches)
+                .then_some(self.tap_lead.0),
             centre_cutting: cutter.head.centre_cutting,
             assembly,
             because,

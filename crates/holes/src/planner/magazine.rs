@@ -57,6 +57,7 @@ pub(super) fn choose_centre_drill(
             front: cutter.row.tip_diameter,
             ground_from: None,
             pilot: None,
+            lead_pitches: None,
             centre_cutting: false,
             size: cutter.diameter,
             assembly,
@@ -94,6 +95,7 @@ fn same_tool(a: &FittedTool, b: &FittedTool) -> bool {
         && a.size == b.size
         && a.ground_from == b.ground_from
         && a.pilot == b.pilot
+        && a.lead_pitches == b.lead_pitches
         && a.assembly.holder == b.assembly.holder
 }
 
@@ -151,6 +153,7 @@ pub(super) fn number_tools(
             diameter_mm: tool.size,
             ground_from_mm: tool.ground_from,
             pilot_mm: tool.pilot,
+            lead_pitches: tool.lead_pitches,
             bought_for_h: bought_for(tool, &drafts),
             holder: tool.assembly.holder.clone(),
             holder_table: tool.assembly.holder_table.clone(),

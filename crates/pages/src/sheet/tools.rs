@@ -55,10 +55,13 @@ pub(crate) fn named(tool: &ToolPlan, mark: &str, lang: Lang) -> String {
         Some(from) => {
             say!(lang, "plan-ground", designation = designation, from = from, to = tool.diameter_mm).to_owned()
         }
-        None => match (tool.bought_for_h, tool.pilot_mm) {
-            (Some(grade), _) => say!(lang, "plan-bought", designation = designation, it = grade).to_owned(),
-            (None, Some(pilot)) => say!(lang, "plan-pilot", designation = designation, pilot = pilot).to_owned(),
-            (None, None) => designation,
+        None => match (tool.bought_for_h, tool.pilot_mm, tool.lead_pitches) {
+            (Some(grade), ..) => say!(lang, "plan-bought", designation = designation, it = grade).to_owned(),
+            (None, Some(pilot), _) => say!(lang, "plan-pilot", designation = designation, pilot = pilot).to_owned(),
+            (None, None, Some(lead)) => {
+                say!(lang, "plan-bottoming-tap", designation = designation, lead = lead).to_owned()
+            }
+            (None, None, None) => designation,
         },
     }
 }

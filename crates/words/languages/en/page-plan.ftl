@@ -226,6 +226,7 @@ explain-not-taken = not taken: { $why }
 explain-sources = Sources named by letters
 explain-source = { $id }: { $source }
 plan-bought = { $designation }, for H{ $it }
+plan-bottoming-tap = { $designation }, bottoming, lead { $lead } P (form E of DIN 2197)
 plan-pilot = { $designation }, pilot Ø{ $pilot }
 plan-ground = { $designation }, ground from Ø{ $from } to Ø{ $to }
 plan-ground-exactly = { $designation }, a new one ground down to Ø{ $to } itself

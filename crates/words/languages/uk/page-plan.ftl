@@ -215,6 +215,7 @@ explain-not-taken = не взято: { $why }
 explain-sources = Джерела, названі літерами
 explain-source = { $id } – { $source }
 plan-bought = { $designation }, для H{ $it }
+plan-bottoming-tap = { $designation }, з короткою забірною частиною { $lead } P (форма E за DIN 2197)
 plan-pilot = { $designation }, напрямна цапфа Ø{ $pilot }
 plan-ground = { $designation }, перешліфувати з Ø{ $from } на Ø{ $to }
 plan-ground-exactly = { $designation }, новий перешліфувати точно на Ø{ $to }

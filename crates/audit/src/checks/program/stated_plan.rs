@@ -290,6 +290,7 @@ impl Making<'_, '_, '_> {
             diameter_mm: self.length_of(row, Q::Diameter).unwrap_or_default(),
             ground_from_mm: None,
             pilot_mm: None,
+            lead_pitches: None,
             bought_for_h: None,
             holder: String::new(),
             holder_table: String::new(),
