@@ -59,6 +59,7 @@ pub(super) fn check<'a>(
                 | Fault::CastStock { .. }
                 | Fault::HolderLow { .. }
                 | Fault::PlateSprings { .. }
+                | Fault::PlateGives { .. }
                 | Fault::NotFinished { .. }
                 | Fault::SpotStays { .. }
                 | Fault::TooShallow { .. }
