@@ -64,7 +64,7 @@ fn what_lies_beyond_the_edge_of_the_table_is_told() {
     // What the fixture of the file bears is for who made it.
     let borne = plan([1700, 200, 20], &clamps.replace("{clamps", "{height: 40, clamps"), "[[-50, 0], [50, 0]]");
     assert_eq!(figures(&borne, "clamp-off-table", &names).0, Severity::Doubtful);
-    assert!(!plan([1600, 400, 20], "", "[[-50, 0]]").has_errors());
+    assert!(!plan([1600, 400, 40], "", "[[-50, 0]]").has_errors());
 }
 
 /// Travels of 500 mm to both sides along X and 200 along Y; the column stands 500 mm behind the spindle.
