@@ -108,6 +108,9 @@ fn supports(
                 let note = Note::new("scant-room-under-part").with("below", below).with("height", height);
                 findings.push(Finding::of_part(Severity::Doubtful, note.with("room", room)));
             }
+            if part.fixture.own.is_some() {
+                below_in_own(part, works, findings);
+            }
             Ok(height)
         }
         None => {
@@ -119,6 +122,22 @@ fn supports(
                 findings.push(Finding::of_part(Severity::Note, note));
             }
             Ok(height)
+        }
+    }
+}
+
+/// Holes under which the tool comes out: what a fixture of the shop's own has there is not known. Each is told once, at its deepest.
+fn below_in_own(part: &Part, works: &[ToolWork], findings: &mut Vec<Finding>) {
+    for hole in &part.holes {
+        let stops = works.iter().flat_map(|work| work.stops.iter().map(move |stop| (work, stop)));
+        let cycles =
+            stops.filter(|(_, stop)| stop.hole == hole.name).filter_map(|(work, stop)| work.cycles.get(stop.cycle));
+        let Some(lowest) = cycles.map(|cycle| cycle.end).min() else { continue };
+        let below = part.datum.top - part.blank.thickness - lowest;
+        let note = Note::new("out-below-in-own-fixture").with("below", below);
+        let finding = Finding::of_hole(Severity::Doubtful, &hole.name, note);
+        if below > Micrometres::ZERO && !findings.contains(&finding) {
+            findings.push(finding);
         }
     }
 }

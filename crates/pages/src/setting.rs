@@ -127,6 +127,7 @@ fn stand(setup: &SetUp, plan: &Plan, lang: Lang) -> Vec<String> {
     let held = plan.held(number);
     let mut lines = vec![match held {
         Held::Vice(_) => say!(lang, "setting-stand-vice", setup = number, nose = nose),
+        Held::Own(_) => say!(lang, "setting-stand-own", setup = number, supports = setup.supports, nose = nose),
         _ => say!(lang, "setting-stand", setup = number, supports = setup.supports, nose = nose),
     }];
     if let Some(stand) = plan.setup.stands.iter().find(|stand| stand.set_up == number) {

@@ -176,6 +176,8 @@ fn springs(
         return Ok(None);
     };
     let feeds = limit(ProofLimit::PlateSpringFeeds, shop)?;
+    // What the file names may stand on more supports than are under its clamps; nobody says so of our own straps.
+    let gives = Some(limit(ProofLimit::PlateSpringMost, shop)?).filter(|_| clamping.proposed);
     let extent = |of: fn(&Point) -> Micrometres| {
         let ends = (clamping.clamps.iter().map(of).min(), clamping.clamps.iter().map(of).max());
         ends.0.zip(ends.1).map_or(Micrometres::ZERO, |(low, high)| high - low)
@@ -201,7 +203,11 @@ fn springs(
             let most = feeds * transition.conditions.feed_mm_per_rev.0;
             if spring > most && worst.as_ref().is_none_or(|(known, _)| spring > *known) {
                 let (operation, span) = (transition.operation, Micrometres::from_mm_rounded(span));
-                worst = Some((spring, Fault::PlateSprings { operation, thrust, spring, span, most }));
+                let fault = match gives.filter(|gives| spring > *gives) {
+                    Some(most) => Fault::PlateGives { operation, thrust, spring, span, most },
+                    None => Fault::PlateSprings { operation, thrust, spring, span, most },
+                };
+                worst = Some((spring, fault));
             }
         }
     }

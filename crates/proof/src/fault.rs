@@ -112,6 +112,8 @@ pub enum Fault {
     UnderSkin { operation: Operation, depth: Micrometres, place: Micrometres, least: Micrometres },
     /// A thin plate springs between its supports by more than the feed.
     PlateSprings { operation: Operation, thrust: Newtons, spring: f64, span: Micrometres, most: f64 },
+    /// A thin plate springs so far between straps of the plan's own that they do not hold it.
+    PlateGives { operation: Operation, thrust: Newtons, spring: f64, span: Micrometres, most: f64 },
     /// A boring bar deflects under uneven stock by more than the tolerance of the hole.
     BarSprings { operation: Operation, spring: Micrometres, tolerance: Micrometres },
 }
@@ -122,6 +124,7 @@ impl Fault {
         match self {
             Self::Wanting { shortfall, .. } if shortfall.at_best() => Severity::Doubtful,
             Self::ThinFloor { bursts: true, .. } => Severity::Error,
+            Self::PlateGives { .. } => Severity::Wrong,
             // Closed flutes break the drill; with less room than usual a patient hand gets through.
             Self::FlutesClose { flutes, tip, .. } if flutes > tip => Severity::Doubtful,
             Self::HolderLow { overhang, tip, .. } if overhang > tip => Severity::Doubtful,
@@ -258,6 +261,11 @@ impl Fault {
                 .with("thinnest", (*depth - *place).max(Micrometres::ZERO))
                 .with("least", least),
             Self::PlateSprings { operation, thrust, spring, span, most } => of("proof-plate-springs", operation)
+                .with("thrust", round_to(thrust.0, 0))
+                .with("spring", round_to(*spring, 2))
+                .with("span", span)
+                .with("most", round_to(*most, 2)),
+            Self::PlateGives { operation, thrust, spring, span, most } => of("proof-plate-gives", operation)
                 .with("thrust", round_to(thrust.0, 0))
                 .with("spring", round_to(*spring, 2))
                 .with("span", span)

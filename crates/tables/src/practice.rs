@@ -289,6 +289,7 @@ vocabulary! {
         CastHolePlace = "cast-hole-place",
         CastSkin = "cast-skin",
         PlateSpringFeeds = "plate-spring-feeds",
+        PlateSpringMost = "plate-spring-most",
     }
 
     /// The kinds of work in tables of high-speed steel.

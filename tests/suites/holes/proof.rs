@@ -236,7 +236,10 @@ fn grid(every: usize) -> (usize, usize) {
             }
             let shop = Shop::new(&plan.part, plan.cutting, &KNOWLEDGE).unwrap();
             let found = prove(&plan, &shop).unwrap();
-            let grave = |finding: &technolog::note::Finding| finding.severity <= technolog::note::Severity::Wrong;
+            // What straps leave of a thin plate is not the route's.
+            let grave = |finding: &technolog::note::Finding| {
+                finding.severity <= Severity::Wrong && finding.note.code() != "proof-plate-gives"
+            };
             assert!(!found.iter().any(grave), "{material} {keys}: {found:?}");
             if plan.has_errors() {
                 continue;
@@ -281,7 +284,8 @@ fn a_plan_tells_what_the_machine_has_no_room_for() {
 /// - 20H7 is 20.021 at most, so two of them 20.5 mm apart leave 0.479, and one 10.5 mm from the edge 10.5 − 10.010 = 0.49; 30 mm high, a wall is 30/32 = 0.938 at least.
 /// - 40H12 cast to 39.5 leaves 0.25 mm a side, and 1/16 in is 1.6.
 /// - Ø30 in the middle of 300 × 200 × 3 mm of steel, clamped 260 mm apart along X, with 8335 N: I = 200·3³/12 = 450,
-///   130⁴·8335/(3·210000·450·260) = 32.3 mm, and the feed is 0.354. A plate of 30 mm springs by 0.032.
+///   130⁴·8335/(3·210000·450·260) = 32.3 mm, and the feed is 0.354. A plate of 12 mm springs by 32.3/64 = 0.5, one of 30 mm by 0.032.
+///   More than 2 mm between straps of the plan's own is wrong; where the file names the clamps, it may stand on more.
 #[test]
 fn what_the_blank_does_not_hold_is_doubtful() {
     use technolog::note::{Figure, Note};
@@ -291,12 +295,13 @@ fn what_the_blank_does_not_hold_is_doubtful() {
              {thickness}}}\nholes:\n  - {{name: A, through: true, centre_tolerance: 0.3, {keys}}}\n"
         );
         let plan = planned(&read(&text), technolog::plan::CuttingMethod::Formula);
-        assert!(!plan.has_errors(), "{keys}: {:?}", plan.findings);
-        let codes = ["proof-wall-among", "proof-wall-to-edge", "proof-cast-stock", "proof-plate-springs"];
+        let codes =
+            ["proof-plate-gives", "proof-wall-among", "proof-wall-to-edge", "proof-cast-stock", "proof-plate-springs"];
         let found = plan.findings.into_iter().filter(|finding| codes.contains(&finding.note.code()));
         found
             .map(|finding| {
-                assert_eq!(finding.severity, Severity::Doubtful, "{keys}");
+                let gives = finding.note.code() == "proof-plate-gives";
+                assert_eq!(finding.severity, if gives { Severity::Wrong } else { Severity::Doubtful }, "{keys}");
                 finding.note
             })
             .collect::<Vec<_>>()
@@ -321,13 +326,14 @@ fn what_the_blank_does_not_hold_is_doubtful() {
     assert_eq!(found("СЧ20", "40", &cast("36.8")), []);
 
     let wide = "diameter: 30H12, roughness: Ra 12.5, at: [[0, 0]]";
-    let springs = Note::new("proof-plate-springs")
-        .with("operation", Figure::operation("drill"))
-        .with("thrust", 8335.0)
-        .with("spring", 32.3)
-        .with("span", mm(260.0))
-        .with("most", 0.35);
-    assert_eq!(found("steel-45", "3", wide), [springs]);
+    let springs = |code, spring: f64, most: f64| {
+        let note = Note::new(code).with("operation", Figure::operation("drill")).with("thrust", 8335.0);
+        note.with("spring", spring).with("span", mm(260.0)).with("most", most)
+    };
+    assert_eq!(found("steel-45", "3", wide), [springs("proof-plate-gives", 32.3, 2.0)]);
+    assert_eq!(found("steel-45", "12", wide), [springs("proof-plate-springs", 0.5, 0.35)]);
+    let named = format!("{wide}}}\nfixture: {{clamps: [{{at: [-130, 0]}}, {{at: [130, 0]}}]");
+    assert_eq!(found("steel-45", "3", &named), [springs("proof-plate-springs", 32.3, 0.35)]);
     assert_eq!(found("steel-45", "30", wide), []);
 }
 

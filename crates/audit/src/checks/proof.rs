@@ -61,6 +61,7 @@ pub(super) fn check<'a>(
                 | Fault::PilotMeetsFloor { .. }
                 | Fault::HolderLow { .. }
                 | Fault::PlateSprings { .. }
+                | Fault::PlateGives { .. }
                 | Fault::NotFinished { .. }
                 | Fault::SpotStays { .. }
                 | Fault::TooShallow { .. }

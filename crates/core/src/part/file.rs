@@ -129,7 +129,7 @@ forms! {
         pub obstacles: Option<Vec<Obstacle>>,
         /// How high over the face tools go from hole to hole, mm; else 15, and higher over what is in the way.
         pub retract: Option<Size>,
-        /// The name of a fixture of the shop's own that holds the part: then neither clamps nor a vice are planned.
+        /// The name of a fixture of the shop's own that holds the part: then neither clamps nor a vice are planned. `height` is then needed.
         pub own: Option<Name>,
     }
 

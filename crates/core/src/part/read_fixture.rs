@@ -35,6 +35,11 @@ impl Reader<'_> {
             let help = note!("part-pins-say-height");
             self.problems.error_help::<()>("missing-key", note!("part-pins-need-height"), &pins.place, help);
         }
+        // What a fixture of the shop's own has under the part nobody can guess.
+        if let (Some(own), None, None) = (own_node, height, pins) {
+            let help = note!("part-pins-say-height");
+            self.problems.error_help::<()>("missing-key", note!("part-own-needs-height"), &own.place, help);
+        }
         pinned.extend(pins.map(|node| self.pins(node)).unwrap_or_default());
         let obstacles = obstacles.map(|node| self.obstacles(node)).unwrap_or_default();
         let mut clamps = Vec::new();

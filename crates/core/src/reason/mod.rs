@@ -146,6 +146,19 @@ impl Reason {
         }
     }
 
+    /// The drilling for which the machine does not bear the drill in its holder: a smaller one may do.
+    pub fn drill_not_borne(&self) -> Option<Operation> {
+        let Self::NoTool {
+            operation: operation @ (Operation::Drill | Operation::DrillOut), first: Some(first), ..
+        } = self
+        else {
+            return None;
+        };
+        let unborne =
+            matches!(**first, Unfit::Holder { fault: HolderFault::TooLong { .. } | HolderFault::TooHeavy { .. }, .. });
+        unborne.then_some(*operation)
+    }
+
     /// The sentence.
     pub fn note(&self) -> Note {
         let new = Note::new;

@@ -95,11 +95,36 @@ impl Finder<'_, '_> {
     }
 
     /// The steps by the first attempt that succeeds. An attempt says whether to drill in one pass and whether to bore
-    /// what would be milled.
+    /// what would be milled. Where the machine does not bear a drill of theirs, they are made without drills of that size.
     fn by_first_attempt(&self, candidate: &Candidate, joined: bool, attempts: &[(bool, bool)]) -> Tried<Vec<Fitted>> {
+        let mut drills = self.sizes.drills.to_vec();
         let mut first_why = None;
+        loop {
+            let sizes = Sizes { drills: &drills, ..self.sizes };
+            let (why, not_borne) = match self.attempted(candidate, joined, attempts, sizes)? {
+                Ok(fitted) => return Ok(fitted),
+                Err(why) => why,
+            };
+            // The first reason is reported: what comes after it only tries to avoid it.
+            let first = first_why.get_or_insert(why).clone();
+            match not_borne.and_then(|drill| drills.iter().position(|own| *own == drill)) {
+                Some(at) => drills.remove(at),
+                None => return Err(Refusal::Not(first)),
+            };
+        }
+    }
+
+    /// The steps by the first attempt that succeeds; otherwise the first reason, and the drill that the machine does not bear.
+    fn attempted(
+        &self,
+        candidate: &Candidate,
+        joined: bool,
+        attempts: &[(bool, bool)],
+        sizes: Sizes<'_>,
+    ) -> Result<Result<Vec<Fitted>, (Reason, Option<Micrometres>)>, KnowledgeError> {
+        let (mut first_why, mut not_borne) = (None, None);
         for &(single_drill, bore_large) in attempts {
-            let sizes = Sizes { single_drill, bore_large, ..self.sizes };
+            let sizes = Sizes { single_drill, bore_large, ..sizes };
             let steps = match Refusal::split(diameters::steps(candidate, &self.task.main, &sizes, self.shop))? {
                 Ok(steps) => steps,
                 Err(why) => {
@@ -108,20 +133,24 @@ impl Finder<'_, '_> {
                 }
             };
             let both = steps.iter().any(|step| step.operation == Operation::DrillOut);
+            let drills: Vec<(Operation, Micrometres)> =
+                steps.iter().map(|step| (step.operation, step.diameter)).collect();
             match Refusal::split(self.fit_hole(steps, candidate, joined))? {
                 Ok(mut fitted) => {
                     if both {
                         self.fitting.compare_with_one_drill(&mut fitted)?;
                     }
-                    return Ok(fitted);
+                    return Ok(Ok(fitted));
                 }
-                // The first reason is reported: the later attempts only try to avoid it.
                 Err(why) => {
+                    let unborne = why.drill_not_borne();
+                    let drill = drills.iter().find(|(operation, _)| Some(*operation) == unborne);
+                    not_borne = not_borne.or(drill.map(|(_, diameter)| *diameter));
                     first_why.get_or_insert(why);
                 }
             }
         }
-        Err(Refusal::Not(first_why.unwrap_or(Reason::NoRoute)))
+        Ok(Err((first_why.unwrap_or(Reason::NoRoute), not_borne)))
     }
 
     /// Adds openings, edges and the floor to the steps of the main cylinder, in the order of section 1.1.2,

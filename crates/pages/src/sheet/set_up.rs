@@ -62,6 +62,7 @@ fn kind(fixture: &FixturePlan, lang: Lang) -> String {
 /// The part on supports against its stops, and its clamps.
 fn on_table(held: Held<'_>, stand: &Stand, plan: &Plan, lang: Lang) -> Vec<String> {
     let key = match plan.part.fixture.height {
+        Some(_) if plan.part.fixture.own.is_some() => "plan-in-own",
         Some(_) if stand.set_up == 1 && !plan.part.fixture.pins.is_empty() => "plan-on-plate",
         Some(_) => "plan-supports-given",
         None if stand.height_mm > Micrometres::ZERO => "plan-supports-assumed",

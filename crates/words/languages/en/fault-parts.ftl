@@ -44,6 +44,7 @@ part-pin-at-inside-blank = the hole Ø{ $diameter } of a pin at [{ $x }, { $y }]
 part-pin-at-meets-hole = the hole of a pin at [{ $x }, { $y }] runs into hole { $label }, which is made here
 part-pins-take-finished-holes = pins take holes that the blank has already: put it elsewhere
 part-pins-meet = the hole of a pin at [{ $x }, { $y }] runs into that of the other pin
+part-own-needs-height = a fixture of its own holds the part, and nothing says how high the part lies in it
 part-pins-need-height = pins stand in a plate, and nothing says how high the part lies on it
 part-pins-say-height = add `height` to the fixture: from the table to the part, mm
 part-pins-far-apart = the farther apart two pins are, the less the part turns on them

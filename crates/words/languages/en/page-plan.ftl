@@ -181,6 +181,7 @@ plan-chain-closes = Chain
 plan-chain-term = { $what } { $field }
 plan-chains-how = Fields of error, mm; statistically: the root of the sum of their squares.
 plan-supports-given = Set-up { $setup }: the part on supports of { $height } mm, as the file says.
+plan-in-own = Set-up { $setup }: the part lies in its fixture { $height } mm over the table, as the file says.
 plan-on-plate = Set-up { $setup }: the part on supports of the plate that its pins stand in, { $height } mm over the table, as the file says; the supports stand clear of the through holes.
 plan-supports-assumed = Set-up { $setup }: the part on supports of { $height } mm, so that tools have room below it; the file gives no height (fixture.height).
 plan-supports-where = Supports stand under the clamps and beyond the outermost holes, so that no thrust tips the part, and clear of the through holes.

@@ -27,6 +27,7 @@ encoding-call = { $text }: call of the subprogram
 # What the operator sets before a program runs.
 setting-title = Setting of the machine: { $part }
 setting-stand = set-up { $setup }: the part on supports of { $supports } mm; { $nose } mm from the table to the spindle nose with the ram up
+setting-stand-own = set-up { $setup }: the part lies in its fixture { $supports } mm over the table; { $nose } mm from the table to the spindle nose with the ram up
 setting-stand-vice = set-up { $setup }: { $nose } mm from the table to the spindle nose with the ram up
 setting-mark = * rests on a row of a table that nothing confirms; `technolog plan … --all-problems` says why
 setting-lengths = lengths H are sums from catalogs: measure each assembly and key in the length found

@@ -27,6 +27,7 @@ encoding-call = { $text }: виклик підпрограми
 # What the operator sets before a program runs.
 setting-title = Налагодження верстата: { $part }
 setting-stand = установ { $setup }: деталь на опорах { $supports } мм; від стола до торця шпинделя за верхнього положення повзуна { $nose } мм
+setting-stand-own = установ { $setup }: деталь лежить у своєму пристосуванні за { $supports } мм над столом; від стола до торця шпинделя за верхнього положення повзуна { $nose } мм
 setting-stand-vice = установ { $setup }: від стола до торця шпинделя за верхнього положення повзуна { $nose } мм
 setting-mark = * – спирається на рядок таблиці, якого ніщо не підтверджує; чому – каже `technolog plan … --all-problems`
 setting-lengths = довжини H – суми з каталогів: кожен комплект виміряти й набрати виміряну довжину
