@@ -110,6 +110,7 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("plate", "Z-46.01", "Z-40", "too-shallow"),
     ("plate", "Z-46.01", "Z-45", "less-overrun"),
     ("plate", "Z-46.01", "Z-48", "deeper"),
+    ("large-bore", "Z-72.01", "Z-125", "into-table"),
     ("plate", "U3 Z-46.01", "U1 Z-46.01", "begins-lower"),
     ("plate", "U3 Z-46.01", "U5 Z-46.01", "begins-higher"),
     ("plate", "S1000", "S800", "other-speed"),

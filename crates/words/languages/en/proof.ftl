@@ -85,6 +85,7 @@ too-shallow = { $hole }: { $operation } at { $at }: to Z{ $made }, but Z{ $neede
     .help = check the levels of the cycle, the zero and the offset register
 less-overrun = { $hole }: { $operation } at { $at }: to Z{ $made } instead of Z{ $needed }, with less overrun
     .help = check the levels of the cycle, the zero and the offset register
+into-table = { $hole }: { $operation } at { $at }: to Z{ $made }, but the table is at Z{ $needed }: the tool goes into the table
 deeper = { $hole }: { $operation } at { $at }: to Z{ $made }, deeper than Z{ $needed }
     .help = check the levels of the cycle, the zero and the offset register
 begins-lower = { $hole }: { $operation } at { $at }: the feed begins at Z{ $made }, with less approach than from Z{ $needed }

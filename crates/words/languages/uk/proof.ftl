@@ -86,6 +86,7 @@ too-shallow = { $hole }: { $operation } в { $at }: до Z{ $made }, а треб
     .help = перевірте рівні циклу, нуль деталі й коректор
 less-overrun = { $hole }: { $operation } в { $at }: до Z{ $made } замість Z{ $needed }, перебіг менший
     .help = перевірте рівні циклу, нуль деталі й коректор
+into-table = { $hole }: { $operation } в { $at }: до Z{ $made }, а стіл на Z{ $needed }: інструмент врізається у стіл
 deeper = { $hole }: { $operation } в { $at }: до Z{ $made }, глибше за Z{ $needed }
     .help = перевірте рівні циклу, нуль деталі й коректор
 begins-lower = { $hole }: { $operation } в { $at }: подача починається на Z{ $made }, недобіг менший, ніж із Z{ $needed }

@@ -10,6 +10,7 @@ use super::{Code, DeviationFigure, Name, ObservedCuts, ProgramFinding, ProofInpu
 use crate::job::{Cycle, CycleKind};
 use crate::motion::Turning;
 use crate::note::Severity;
+use crate::part::Bottom;
 use crate::plan::Operation;
 use crate::units::Micrometres;
 
@@ -237,23 +238,47 @@ fn levels(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<Pr
     }
     // From the lower face on a hole is through, and anything deeper is overrun.
     let through = transition.depth_mm >= part.blank.thickness;
+    let below = part.datum.top - part.blank.thickness;
     // A 90° spot not deeper than the radius of the hole is not wider than the hole.
     let hole = part.holes.iter().find(|hole| hole.name == say.task.stop.hole);
     let radius = hole.map(|hole| hole.diameter.nominal.half()).unwrap_or_default();
     let spot = part.datum.top - transition.start_mm - radius;
     let preparing = transition.operation == Operation::CentreDrill && deepest >= spot;
+    if within_depth(say, input, deepest) {
+        return;
+    }
+    let table = part.fixture.height.map(|height| below - height);
     let finding = if deepest > cycle.end {
         let enough = through && deepest <= cycle.end + input.tolerated.overrun + TOLERANCE;
         let (code, severity) =
             if enough { (Code::LessOverrun, Severity::Doubtful) } else { (Code::TooShallow, Severity::Error) };
         say.figure(code, severity, deepest, cycle.end)
+    } else if let Some(table) = table.filter(|table| deepest < *table - TOLERANCE) {
+        say.figure(Code::IntoTable, Severity::Error, deepest, table)
     } else {
         // The table is under a through hole.
         let within = through && deepest >= cycle.end - input.tolerated.overrun - TOLERANCE;
+        // A reamer is let out farther, if the room under the part is known to be free.
+        let reams = through && table.is_some() && transition.operation.is_reaming();
+        let within = within || reams && deepest >= below - input.tolerated.reamer_overrun - TOLERANCE;
         let severity = if within || preparing { Severity::Doubtful } else { Severity::Wrong };
         say.figure(Code::Deeper, severity, deepest, cycle.end)
     };
     findings.push(finding);
+}
+
+/// Whether a blind hole is drilled right within the general tolerance of its depth, or under a thread as much deeper as
+/// harms nothing. A flat floor is made as it is planned.
+fn within_depth(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, deepest: Micrometres) -> bool {
+    let (part, transition) = (&input.plan.part, say.task.transition);
+    let Some(hole) = part.holes.iter().find(|hole| hole.name == say.task.stop.hole) else { return false };
+    let drills = matches!(transition.operation, Operation::Drill | Operation::DrillOut);
+    if !drills || hole.through || hole.bottom == Bottom::Flat || deepest <= part.datum.top - part.blank.thickness {
+        return false;
+    }
+    let tolerance = input.tolerated.depth_of(transition.depth_mm);
+    let deeper = hole.thread.as_ref().map(|thread| thread.pitch.half()).unwrap_or_default().max(tolerance);
+    (-deeper..=tolerance).contains(&(deepest - say.task.cycle.end))
 }
 
 /// Speed, feed, dwell, coolant.

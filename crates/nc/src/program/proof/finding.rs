@@ -76,6 +76,7 @@ named! {
         RapidIntoMetal = "rapid-into-metal",
         BeginsLower = "begins-lower",
         BeginsHigher = "begins-higher",
+        IntoTable = "into-table",
         Deeper = "deeper",
         OtherSpeed = "other-speed",
         OtherFeed = "other-feed",

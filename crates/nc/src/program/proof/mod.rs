@@ -79,6 +79,10 @@ pub struct Tolerated {
     /// The overrun of the tool at a through hole, by the rule `approach`: a program may have less by this much and
     /// still make the hole.
     pub overrun: Micrometres,
+    /// How far a reamer may come out of a through hole over free room.
+    pub reamer_overrun: Micrometres,
+    /// The general tolerances of depths, each with the depth up to which it holds, the smallest first.
+    pub depths: [(Micrometres, Micrometres); 4],
     /// The factor on the planned speed or feed that is still another choice.
     pub overload: f64,
     /// The same factor for the feed of a centring tool.
@@ -100,7 +104,23 @@ impl Tolerated {
         let overlong = crate::job::convention(Convention::Overlong, knowledge)?.0;
         let spot_overload = crate::job::convention(Convention::SpotOverload, knowledge)?.0;
         let tap_near = crate::job::convention(Convention::TapFeedNear, knowledge)?.0;
-        Ok(Self { overrun: row.overrun, overload, spot_overload, overlong, tap_near })
+        let length = |name| -> Result<_, KnowledgeError> {
+            Ok(Micrometres::from_mm_rounded(crate::job::convention(name, knowledge)?.0))
+        };
+        let reamer_overrun = length(Convention::ReamerOverrunMost)?;
+        let depths = [
+            (Micrometres::new(6_000), length(Convention::DepthTolerance6)?),
+            (Micrometres::new(30_000), length(Convention::DepthTolerance30)?),
+            (Micrometres::new(120_000), length(Convention::DepthTolerance120)?),
+            (Micrometres::new(400_000), length(Convention::DepthTolerance400)?),
+        ];
+        Ok(Self { overrun: row.overrun, reamer_overrun, depths, overload, spot_overload, overlong, tap_near })
+    }
+
+    /// The general tolerance, to either side, of a depth; none of a deeper one than the rows have.
+    fn depth_of(&self, depth: Micrometres) -> Micrometres {
+        let row = self.depths.iter().find(|(most, _)| depth <= *most);
+        row.map(|(_, tolerance)| *tolerance).unwrap_or_default()
     }
 }
 
