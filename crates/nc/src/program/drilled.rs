@@ -92,12 +92,11 @@ impl Holes {
                 let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
                 self.down((seen.system, x, y), (before, z), step.block, seen, room);
             }
-            Motion::Feed { .. } if upright => {
-                if before >= 0.0 && z > before && !self.open {
-                    let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
-                    self.risen.insert(((seen.system, x, y), self.section));
-                }
+            Motion::Feed { .. } if upright && before >= 0.0 && z > before && !self.open => {
+                let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
+                self.risen.insert(((seen.system, x, y), self.section));
             }
+            Motion::Feed { .. } if upright => {}
             Motion::Feed { .. } | Motion::Arc { .. } => {
                 if let Some(hole) = self.last().filter(|hole| z < hole.begin) {
                     hole.mills = true;
