@@ -31,7 +31,7 @@ pub(super) struct Habits {
     /// The longest step of deep drilling, mm.
     peck_mm: f64,
     /// How far the feed of a tap may be off the pitch of a thread, as a part of it.
-    tap_near: f64,
+    pub tap_near: f64,
     /// The pitches of metric threads, mm.
     pitches: Vec<f64>,
     /// Sizes and pitches of coarse metric threads, mm.

@@ -75,6 +75,10 @@ pub(super) struct Measure {
     pub times: f64,
     /// How many pitches a tap may come out of a through hole farther than the drill before it.
     pub beyond: f64,
+    /// How far the feed of a turn of a tap may be off its pitch, as a part of it.
+    pub tap_near: f64,
+    /// The pitches of the threads that comments name for a tool, mm.
+    pub threads: BTreeMap<u32, Vec<f64>>,
     /// Tools that break edges, which are there before.
     pub of_edges: BTreeSet<u32>,
 }
@@ -192,7 +196,7 @@ impl Below {
     /// What is told of the run.
     pub fn finish(mut self) -> Vec<ToldBelow> {
         let milled = |at: Point, z: f64| self.rooms.iter().any(|room| room.is_milled() && room.has(at, z, BELOW));
-        let of_holes = self.holes.finish(milled, self.measure.beyond);
+        let of_holes = self.holes.finish(milled, &self.measure);
         // What is certain needs no doubt.
         let certain = |block: BlockRef| of_holes.iter().any(|(it, code, _)| *it == block && *code == "begins-in-metal");
         self.told.retain(|(block, code, _)| *code != "rapid-below-zero" || !certain(*block));

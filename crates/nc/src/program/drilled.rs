@@ -3,13 +3,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::below::{BELOW, Seen, ToldBelow};
+use super::below::{BELOW, Measure, Seen, ToldBelow};
 use crate::motion::{BlockRef, Motion, MotionStep, Position, Turning};
 use crate::note::Note;
 use crate::units::round_to;
 
 /// Heights that differ by less are one, mm.
 const SAME: f64 = 0.01;
+/// A tap so far from its hole is beside it, mm: less is how somebody rounds.
+const BESIDE: f64 = 0.1;
 /// A depth so many times that of the others has a digit too many: ten, less what they differ.
 const TENFOLD: f64 = 9.5;
 /// The most holes that are kept, and the most that is told of them.
@@ -36,6 +38,14 @@ struct Hole {
     in_cycle: bool,
     /// Feed for a turn of a tap, mm.
     pitch: Option<f64>,
+    /// Feed for a turn on its way down, mm.
+    per_turn: f64,
+    /// Whether a cycle pulled it out of its bottom at rapid: no tap bears that.
+    out_at_rapid: bool,
+    /// Whether the tap came down there once more, with no move to another place between.
+    again: bool,
+    /// How often the program had stopped: another part may have come.
+    stops: usize,
     /// Whether the tool went on sideways at feed.
     mills: bool,
     block: BlockRef,
@@ -48,6 +58,9 @@ pub(super) struct Holes {
     /// Whether the last one goes on.
     open: bool,
     section: usize,
+    stops: usize,
+    /// Where a tool came over the zero and was fed up, with its section: a Z without its sign.
+    risen: BTreeSet<(Place, usize)>,
     /// Feed for a turn on the last way down.
     per_turn: f64,
     turning: Option<Turning>,
@@ -68,11 +81,20 @@ impl Holes {
         let at = step.at;
         let upright = from.x == at.x && from.y == at.y;
         match &step.motion {
-            Motion::Rapid => self.open &= upright,
+            Motion::Rapid => {
+                if let Some(hole) = self.last().filter(|hole| upright && before == hole.bottom && z > before) {
+                    hole.out_at_rapid = seen.in_cycle;
+                }
+                self.open &= upright;
+            }
             Motion::Feed { feed_mm_per_min } if upright && z < before => {
                 self.per_turn = feed_mm_per_min.0 / self.speed;
                 let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
                 self.down((seen.system, x, y), (before, z), step.block, seen, room);
+            }
+            Motion::Feed { .. } if upright && before >= 0.0 && z > before && !self.open => {
+                let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
+                self.risen.insert(((seen.system, x, y), self.section));
             }
             Motion::Feed { .. } if upright => {}
             Motion::Feed { .. } | Motion::Arc { .. } => {
@@ -92,6 +114,7 @@ impl Holes {
                     hole.pitch.get_or_insert(pitch);
                 }
             }
+            Motion::Stop { .. } => self.stops += 1,
             Motion::ToolChange { .. } | Motion::End => {
                 self.open = false;
                 self.section += 1;
@@ -113,7 +136,11 @@ impl Holes {
         Seen { tool, in_cycle, .. }: Seen,
         room: impl FnOnce(f64) -> (bool, bool),
     ) {
+        let stops = self.stops;
         if let Some(hole) = self.last() {
+            // From the beginning to the same depth once more: a step of a deep thread goes deeper.
+            let whole = begin >= hole.begin - SAME && (bottom - hole.bottom).abs() <= SAME;
+            hole.again |= hole.pitch.is_some() && whole && hole.stops == stops;
             hole.bottom = hole.bottom.min(bottom);
             return;
         }
@@ -121,14 +148,28 @@ impl Holes {
             return;
         }
         let (milled, untouched) = if begin < -BELOW { room(begin) } else { (true, false) };
-        let (pitch, mills, section) = (None, false, self.section);
-        self.holes.push(Hole { place, section, tool, begin, bottom, milled, untouched, in_cycle, pitch, mills, block });
+        self.holes.push(Hole {
+            place,
+            section: self.section,
+            tool,
+            begin,
+            bottom,
+            milled,
+            untouched,
+            in_cycle,
+            pitch: None,
+            per_turn: self.per_turn,
+            out_at_rapid: false,
+            again: false,
+            stops,
+            mills: false,
+            block,
+        });
         self.open = true;
     }
 
-    /// What is told of them; `milled` says whether the program has milled a place down to a height, and `beyond` how many pitches a tap
-    /// may come out of a through hole farther than the drill before it.
-    pub fn finish(&self, milled: impl Fn([f64; 2], f64) -> bool, beyond: f64) -> Vec<ToldBelow> {
+    /// What is told of them; `milled` says whether the program has milled a place down to a height.
+    pub fn finish(&self, milled: impl Fn([f64; 2], f64) -> bool, measure: &Measure) -> Vec<ToldBelow> {
         let mut at: BTreeMap<Place, Vec<usize>> = BTreeMap::new();
         for (index, hole) in self.holes.iter().enumerate() {
             at.entry(hole.place).or_default().push(index);
@@ -176,10 +217,38 @@ impl Holes {
                     None => {}
                 }
             }
+            let near = |known: &f64| (hole.per_turn / known - 1.0).abs() <= measure.tap_near;
+            if hole.pitch.is_none() && hole.out_at_rapid && !hole.mills {
+                let named = measure.threads.get(&hole.tool).into_iter().flatten();
+                if let Some(pitch) = named.copied().find(near) {
+                    let code = "tap-in-drill-cycle";
+                    tell(hole.block, code, note(code).with("pitch", round_to(pitch, 3)));
+                }
+            }
             let Some(pitch) = hole.pitch.filter(|pitch| pitch.is_finite()) else { continue };
+            let same_tap = |other: &&Hole| other.pitch.is_some() && other.section == hole.section;
+            let again = earlier(index, hole).filter(same_tap).any(|other| {
+                // Deeper than before it goes on in steps.
+                other.stops == hole.stops && hole.bottom >= other.bottom - SAME
+            });
+            if again || hole.again {
+                tell(hole.block, "tap-again", note("tap-again").with("z", round_to(hole.bottom, 3)));
+            }
+            if hole.begin < -BELOW && !hole.milled {
+                let mut wide = earlier(index, hole)
+                    .filter(|other| other.section != hole.section && other.bottom <= hole.begin + BELOW);
+                // Of two tools that went so deep one may have been a counterbore; so may one that came down below the zero.
+                if let (Some(only), None) = (wide.next(), wide.next())
+                    && only.begin >= -BELOW
+                    && !only.mills
+                {
+                    let code = "tap-begins-in-hole";
+                    tell(hole.block, code, note(code).with("z", round_to(hole.begin, 3)));
+                }
+            }
             match drilled(index, hole) {
                 Some(bottom) if bottom > hole.bottom + SAME => {
-                    let through = bottom - hole.bottom <= beyond * pitch;
+                    let through = bottom - hole.bottom <= measure.beyond * pitch;
                     let code = if through { "tap-beyond-hole-maybe" } else { "tap-beyond-hole" };
                     let note = note(code).with("z", round_to(hole.bottom, 3)).with("other", round_to(bottom, 3));
                     tell(hole.block, code, note);
@@ -191,6 +260,14 @@ impl Holes {
                         && !milled([x, y].map(|along| along as f64 / 100.0), hole.bottom)
                     {
                         tell(hole.block, "tap-without-hole", note("tap-without-hole"));
+                    } else if self.risen.iter().any(|(place, section)| *place == hole.place && *section < hole.section)
+                    {
+                        tell(hole.block, "tap-hole-not-cut", note("tap-hole-not-cut"));
+                    } else if let Some(off) = self.beside(index, hole, pitch)
+                        && !milled([x, y].map(|along| along as f64 / 100.0), hole.bottom)
+                    {
+                        let code = "tap-beside-hole";
+                        tell(hole.block, code, note(code).with("distance", round_to(off, 2)));
                     }
                 }
             }
@@ -200,6 +277,20 @@ impl Holes {
             tell(hole.block, "depth-tenfold", note.with("other", round_to(other, 3)));
         }
         told
+    }
+
+    /// How far from a tap, mm, the nearest hole lies that was made before it for no other tap and into which it would cut: no thread
+    /// has less than four pitches in its diameter, as M1 has, so within two of them its middle is in that hole's wall.
+    fn beside(&self, index: usize, tap: &Hole, pitch: f64) -> Option<f64> {
+        let off = |other: &Hole| {
+            let [x, y] = [other.place.1 - tap.place.1, other.place.2 - tap.place.2].map(|along| along as f64 / 100.0);
+            libm::hypot(x, y)
+        };
+        let holes = self.holes.iter().take(index).filter(|other| {
+            let below = other.bottom < -BELOW && other.place.0 == tap.place.0;
+            below && other.section != tap.section && other.pitch.is_none() && !other.mills
+        });
+        holes.map(off).filter(|off| *off > BESIDE && *off < 2.0 * pitch).reduce(f64::min)
     }
 
     /// Holes ten times as deep as the others of their tool that begin at the same height, each with the height to which those go.

@@ -64,6 +64,12 @@ impl Names {
         self.threads.get(&tool).map_or(&[], Vec::as_slice)
     }
 
+    /// The pitches of the threads that comments name, by tools.
+    pub fn pitches(&self) -> BTreeMap<u32, Vec<f64>> {
+        let of = |threads: &Vec<Thread>| threads.iter().map(|thread| thread.pitch).collect();
+        self.threads.iter().map(|(tool, threads)| (*tool, of(threads))).collect()
+    }
+
     /// The tools that break edges.
     pub fn of_edges(&self) -> BTreeSet<u32> {
         self.edges.clone()

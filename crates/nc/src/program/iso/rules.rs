@@ -146,6 +146,11 @@ pub(super) const RULES: &[Rule] = &[
     ("tap-beyond-hole", Wrong, "cycles"),
     ("tap-beyond-hole-maybe", Warning, "cycles"),
     ("tap-without-hole", Wrong, "cycles"),
+    ("tap-hole-not-cut", Wrong, "cycles"),
+    ("tap-beside-hole", Wrong, "cycles"),
+    ("tap-again", Wrong, "cycles"),
+    ("tap-begins-in-hole", Warning, "cycles"),
+    ("tap-in-drill-cycle", Wrong, "cycles"),
 ];
 
 /// A broken rule.

@@ -217,6 +217,9 @@ fn levels(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<Pr
         // A rapid may have been lower before it.
         let rapids = say.cut.moves.iter().take_while(|made| made.feed().is_none()).filter(|made| made.moves());
         let begin = rapids.map(|made| made.to[2]).fold(begin, Micrometres::min);
+        // At feed from the approach on, it met the face at feed, whatever the blocks in which it came.
+        let at_feed = say.cut.fed_from.filter(|_| begin >= metal).map_or(begin, |from| from.min(cycle.begin));
+        let begin = begin.max(at_feed);
         // Steps that end above the metal are in the air; the cut begins after them.
         let in_air = say.task.reached_in_air(metal) < cycle.begin && begin >= metal;
         if begin < cycle.begin - TOLERANCE && !in_air {

@@ -39,6 +39,8 @@ pub(super) struct Descent {
     pub retracted_to: Micrometres,
     /// Z where a feed towards it began above the face: steps of a deep hole that end in the air.
     pub begun_above: Option<Micrometres>,
+    /// Z where the feed began that led into it with no rapid between: to the face, say, and on from there.
+    pub fed_from: Option<Micrometres>,
 }
 
 /// The cuts of a stay, and its motions above the face, each with the cut that follows.
@@ -52,6 +54,7 @@ pub(super) fn cuts(
     // The last motion was below the face.
     let mut inside = false;
     let mut begun_above: Option<Micrometres> = None;
+    let mut fed_from: Option<Micrometres> = None;
     // Spindle switches and dwells happen at the position of the tip.
     let low = |made: &TipMove| if made.moves() { made.below(top) } else { made.to[2] < top };
     for (index, made) in stay.moves.iter().enumerate() {
@@ -62,6 +65,9 @@ pub(super) fn cuts(
             inside = false;
             if made.feed().is_some() {
                 begun_above = begun_above.max(Some(made.from[2]));
+                fed_from = fed_from.max(Some(made.from[2]));
+            } else if made.moves() {
+                fed_from = None;
             }
             above.push((None, *made));
             continue;
@@ -86,9 +92,11 @@ pub(super) fn cuts(
                 moves: Vec::new(),
                 retracted_to: Micrometres::new(i64::MIN / 4),
                 begun_above: begun_above.take(),
+                fed_from: fed_from.filter(|_| made.feed().is_some()),
             });
         }
         inside = true;
+        fed_from = None;
         if let Some(cut) = cuts.last_mut() {
             cut.moves.push(*made);
             cut.retracted_to = cut.retracted_to.max(made.to[2]);

@@ -121,6 +121,16 @@ fn a_feature_below_the_face_begins_below_it() {
 }
 
 #[test]
+fn a_feed_to_the_face_and_on_from_there_is_one_way_in() {
+    let fed_from = |text: &str| cut(text)[0].fed_from.map(mm);
+    assert_eq!(fed_from("r10,0 r15 r3 f0 f-20 r15"), Some(3.0));
+    assert_eq!(fed_from("r10,0 r15 f3 w f0 f-20 r15"), Some(15.0));
+    // A rapid between them, or to the face.
+    assert_eq!(fed_from("r10,0 r15 f3 r0 f-20 r15"), None);
+    assert_eq!(fed_from("r10,0 r15 r0 f-20 r15"), None);
+}
+
+#[test]
 fn circles_are_one_cut_with_the_hole() {
     let milled = cut("r0,0,15 r3 f-5 f7,0 o f9,0 o f0,0 f-10 f7,0 o f0,0 r15");
     assert_eq!(milled.len(), 1);
