@@ -4,7 +4,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity};
 use crate::tables::lathes::{LatheWorkholding, WorkholdingFigure};
-use crate::turning::contour::{Contour, Side, SurfaceName};
+use crate::turning::contour::{Contour, SurfaceName};
 use crate::turning::cutting::{PartSection, PressedRing};
 use crate::turning::jobs::Job;
 use crate::turning::length::Half;
