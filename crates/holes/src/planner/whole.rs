@@ -29,6 +29,9 @@ type Worse = (bool, bool, bool, bool, bool, Minutes);
 /// The steps that open a wider cylinder, or why there are none.
 type OpeningSteps = Result<Vec<RouteStep>, Reason>;
 
+/// The steps of an attempt with their tools, or why there are none and the drill that the machine does not bear.
+type Attempted = Result<Vec<Fitted>, (Reason, Option<Micrometres>)>;
+
 /// What is needed to find the routes of one group.
 pub(super) struct Finder<'a, 'k> {
     pub hole: &'a Hole,
@@ -121,7 +124,7 @@ impl Finder<'_, '_> {
         joined: bool,
         attempts: &[(bool, bool)],
         sizes: Sizes<'_>,
-    ) -> Result<Result<Vec<Fitted>, (Reason, Option<Micrometres>)>, KnowledgeError> {
+    ) -> Result<Attempted, KnowledgeError> {
         let (mut first_why, mut not_borne) = (None, None);
         for &(single_drill, bore_large) in attempts {
             let sizes = Sizes { single_drill, bore_large, ..sizes };
