@@ -73,14 +73,6 @@ vocabulary! {
         TapBeyondDrill = "tap-beyond-drill",
         /// How far below a through hole a reamer goes at most over free room, mm.
         ReamerOverrunMost = "reamer-overrun-most",
-        /// How far a depth of up to 6 mm without a tolerance of its own may be off to either side, mm.
-        DepthTolerance6 = "depth-tolerance-6",
-        /// The same for depths above 6 up to 30 mm.
-        DepthTolerance30 = "depth-tolerance-30",
-        /// The same for depths above 30 up to 120 mm.
-        DepthTolerance120 = "depth-tolerance-120",
-        /// The same for depths above 120 up to 400 mm.
-        DepthTolerance400 = "depth-tolerance-400",
         /// The greatest feed of a turn, mm.
         FeedOfTurnMost = "feed-of-turn-most",
         /// The least feed of a minute, mm.
@@ -107,10 +99,6 @@ impl Convention {
             | Self::KneeStep
             | Self::PeckMost
             | Self::ReamerOverrunMost
-            | Self::DepthTolerance6
-            | Self::DepthTolerance30
-            | Self::DepthTolerance120
-            | Self::DepthTolerance400
             | Self::FeedOfTurnMost
             | Self::CutsAround => "mm",
             Self::FeedStep | Self::FeedOfMinuteLeast => "mm/min",

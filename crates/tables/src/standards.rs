@@ -117,6 +117,13 @@ rows! {
         value: f64,
     } shown { used }
 
+    /// General tolerances of linear sizes, to either side.
+    pub struct GeneralTolerance of One("general-tolerances") {
+        over: Micrometres,
+        up_to: Micrometres,
+        medium: Micrometres,
+    }
+
     /// Tolerance of the pitch diameter of metric threads, by range of diameters and pitch.
     pub struct ThreadPitchTolerance of One("thread-pitch-tolerance") {
         over: Micrometres,

@@ -118,7 +118,7 @@ impl ProofBench {
             job,
             zeros: &zeros,
             start: self.setting.start,
-            tolerated: self.tolerated,
+            tolerated: &self.tolerated,
             tap_word: tap_word.as_deref(),
             turning_at_change: language.turning_at_change(),
             own_correctors: self.own_correctors,

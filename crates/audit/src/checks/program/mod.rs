@@ -184,7 +184,7 @@ fn proven(
         job,
         zeros: &zeros,
         start,
-        tolerated,
+        tolerated: &tolerated,
         tap_word: tap_word.as_deref(),
         turning_at_change: language.turning_at_change(),
         own_correctors,

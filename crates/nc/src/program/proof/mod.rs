@@ -44,6 +44,7 @@ use crate::note::{Figure, IntoFigure, Note, Severity};
 use crate::part::{Part, Point};
 use crate::plan::{Operation, Plan, Transition};
 use crate::tables::controls::Convention;
+use crate::tables::standards::GeneralTolerance;
 use crate::units::Micrometres;
 
 use cuts::{Descent, TOLERANCE};
@@ -63,7 +64,7 @@ pub struct ProofInput<'a> {
     /// Where the axes stand when the program begins, machine coordinates.
     pub start: Position,
     /// What may differ from the job.
-    pub tolerated: Tolerated,
+    pub tolerated: &'a Tolerated,
     /// The machine function that must act before a tap, where the control has one: without it the spindle does not
     /// follow the feed.
     pub tap_word: Option<&'a str>,
@@ -74,15 +75,15 @@ pub struct ProofInput<'a> {
 }
 
 /// How far a program may differ from its job.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Tolerated {
     /// The overrun of the tool at a through hole, by the rule `approach`: a program may have less by this much and
     /// still make the hole.
     pub overrun: Micrometres,
     /// How far a reamer may come out of a through hole over free room.
     pub reamer_overrun: Micrometres,
-    /// The general tolerances of depths, each with the depth up to which it holds, the smallest first.
-    pub depths: [(Micrometres, Micrometres); 4],
+    /// The general tolerances of depths.
+    pub depths: Vec<DepthTolerance>,
     /// The factor on the planned speed or feed that is still another choice.
     pub overload: f64,
     /// The same factor for the feed of a centring tool.
@@ -91,6 +92,15 @@ pub struct Tolerated {
     pub overlong: f64,
     /// How far the feed of a tap may be off the pitch of its thread, as a part of it.
     pub tap_near: f64,
+}
+
+/// The general tolerance of depths over the one and up to the other.
+#[derive(Clone, Copy, Debug)]
+pub struct DepthTolerance {
+    over: Micrometres,
+    up_to: Micrometres,
+    /// How far they may be off to either side.
+    off: Micrometres,
 }
 
 impl Tolerated {
@@ -104,23 +114,17 @@ impl Tolerated {
         let overlong = crate::job::convention(Convention::Overlong, knowledge)?.0;
         let spot_overload = crate::job::convention(Convention::SpotOverload, knowledge)?.0;
         let tap_near = crate::job::convention(Convention::TapFeedNear, knowledge)?.0;
-        let length = |name| -> Result<_, KnowledgeError> {
-            Ok(Micrometres::from_mm_rounded(crate::job::convention(name, knowledge)?.0))
-        };
-        let reamer_overrun = length(Convention::ReamerOverrunMost)?;
-        let depths = [
-            (Micrometres::new(6_000), length(Convention::DepthTolerance6)?),
-            (Micrometres::new(30_000), length(Convention::DepthTolerance30)?),
-            (Micrometres::new(120_000), length(Convention::DepthTolerance120)?),
-            (Micrometres::new(400_000), length(Convention::DepthTolerance400)?),
-        ];
+        let reamer_overrun =
+            Micrometres::from_mm_rounded(crate::job::convention(Convention::ReamerOverrunMost, knowledge)?.0);
+        let rows = knowledge.rows::<GeneralTolerance<'_>>()?.into_iter();
+        let depths = rows.map(|row| DepthTolerance { over: row.over, up_to: row.up_to, off: row.medium }).collect();
         Ok(Self { overrun: row.overrun, reamer_overrun, depths, overload, spot_overload, overlong, tap_near })
     }
 
-    /// The general tolerance, to either side, of a depth; none of a deeper one than the rows have.
+    /// The general tolerance, to either side, of a depth; none of one for which the standard has no row.
     fn depth_of(&self, depth: Micrometres) -> Micrometres {
-        let row = self.depths.iter().find(|(most, _)| depth <= *most);
-        row.map(|(_, tolerance)| *tolerance).unwrap_or_default()
+        let row = self.depths.iter().find(|row| row.over < depth && depth <= row.up_to);
+        row.map(|row| row.off).unwrap_or_default()
     }
 }
 

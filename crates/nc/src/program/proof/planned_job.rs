@@ -118,7 +118,7 @@ impl PlannedJob {
                 job: &self.job,
                 zeros: &zeros,
                 start: setting.start,
-                tolerated: self.tolerated,
+                tolerated: &self.tolerated,
                 tap_word: self.tap_word.as_deref(),
                 turning_at_change: self.turning_at_change,
                 own_correctors: self.own_correctors,
