@@ -72,22 +72,27 @@ fn opened(
 /// where the way leaves it at so flat an angle that the circle is still over it after eight of its radii.
 fn run_out(from: Point, to: Point, radius: Micrometres, blank: &Blank, datum: &Datum) -> Option<Micrometres> {
     let [left, front] = [datum.left, datum.front].map(Micrometres::to_mm);
-    let (right, back) = (left + blank.length.to_mm(), front + blank.width.to_mm());
-    let length = from.distance(to).to_mm();
-    let (x, y, radius) = (to.x.to_mm(), to.y.to_mm(), radius.to_mm());
-    let (along_x, along_y) = ((to.x - from.x).to_mm() / length, (to.y - from.y).to_mm() / length);
-    if left < x && x < right && front < y && y < back {
-        return None;
-    }
+    let [length, width] = [blank.length, blank.width].map(Micrometres::to_mm);
+    let whole = from.distance(to).to_mm();
+    let radius = radius.to_mm();
+    let (along_x, along_y) = ((to.x - from.x).to_mm() / whole, (to.y - from.y).to_mm() / whole);
     let away = |on: f64| {
-        let (x, y) = (x + on * along_x, y + on * along_y);
-        libm::hypot((left - x).max(x - right).max(0.0), (front - y).max(y - back).max(0.0))
+        let (x, y) = (to.x.to_mm() + on * along_x - left, to.y.to_mm() + on * along_y - front);
+        match blank.is_round() {
+            true => libm::hypot(x - length / 2.0, y - width / 2.0) - length / 2.0,
+            false => libm::hypot((-x).max(x - length).max(0.0), (-y).max(y - width).max(0.0)),
+        }
     };
-    // The distance from a rectangle does not fall along a straight way out of it.
-    let (mut near, mut far) = (0.0, 8.0 * radius);
-    if away(far) < radius {
+    let inside = match blank.is_round() {
+        // A point of a rim is written to a micrometre.
+        true => away(0.0) < -0.001,
+        false => blank.to_edge(datum, to) > Micrometres::ZERO,
+    };
+    if inside || away(8.0 * radius) < radius {
         return None;
     }
+    // The distance from a plate or a disc does not fall along a straight way out of it.
+    let (mut near, mut far) = (0.0, 8.0 * radius);
     while far - near > 1e-6 {
         let middle = (near + far) / 2.0;
         if away(middle) < radius { near = middle } else { far = middle }
@@ -291,6 +296,28 @@ slots:
             let say = |note: &crate::note::Note| technolog_words::Lang::EN.say(note);
             problems.iter().map(|problem| problem.text(say)).collect()
         })
+    }
+
+    /// By hand: along a radius the middle of the mill stands its own radius, 6 mm, beyond the rim, at 106 of 100 mm; towards 3 : 4 at
+    /// (63.6, 84.8). Beside the axis it leaves the rim aslant: from (80, 60) on along X until x² + 60² = 106², 87.384, 7.384 further.
+    #[test]
+    fn a_slot_runs_out_over_the_rim_of_a_disc() {
+        let head = "part: P\nmaterial: steel-45\nblank: {kind: disc, diameter: 200, thickness: 20}\nmachine: gf2171\n";
+        let knowledge = shipped::knowledge().unwrap();
+        let begin = |run: &str| {
+            let slot = format!("{{name: S, {run}, width: 12H12, depth: 8, roughness: Ra 12.5, centre_tolerance: 0.4}}");
+            let part = read_part(
+                "part",
+                &format!("{head}fixture: {{own: chuck, height: 120}}\nslots:\n  - {slot}\n"),
+                &knowledge,
+            );
+            part.ok().map(|part| part.holes[0].at[0])
+        };
+        let point = |x: i64, y: i64| Some(Point { x: Micrometres::new(x), y: Micrometres::new(y) });
+        assert_eq!(begin("from: [40, 0], to: [100, 0], open: to"), point(106_000, 0));
+        assert_eq!(begin("from: [30, 40], to: [60, 80], open: to"), point(63_600, 84_800));
+        assert_eq!(begin("from: [0, 60], to: [80, 60], open: to"), point(87_384, 60_000));
+        assert_eq!(begin("from: [30, 40], to: [57, 76], open: to"), None, "5 mm inside the rim");
     }
 
     #[test]
