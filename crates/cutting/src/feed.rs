@@ -52,7 +52,7 @@ pub(super) fn tabulated<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<Feed, Un
     because.push(Because::row(choice.row, Note::new("feed-choice")));
     if choice.within_practice {
         let question = PracticeFeedFor { operation: PracticeWork::Drill, material_group, diameter: cut.diameter };
-        let practice = knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten();
+        let practice = knowledge.winner_within(&question)?;
         let most = |row: &PracticeFeed<'_>| row.feed_high.0 * multiple;
         if let Some(row) = practice.filter(|row| most(row) < feed) {
             let note = Note::new("feed-within-practice")

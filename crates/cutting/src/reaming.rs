@@ -70,7 +70,7 @@ pub fn rough_instead<'k>(
         return Ok(None);
     }
     let question = StockBeforeReamingFor { case: ReamingCase::RoughAfterDrill, diameter: cut.diameter };
-    let row = knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten();
+    let row = knowledge.winner_within(&question)?;
     Ok(row.map(|row| (Cut { from: cut.diameter - row.stock_max, roughness: None, ..*cut }, row)))
 }
 
@@ -127,7 +127,7 @@ fn held_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<(Feed, Option<Milli
             material_group: shop.material().group,
             diameter: cut.diameter,
         };
-        let practice = knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten();
+        let practice = knowledge.winner_within(&question)?;
         let most = |row: &PracticeFeed<'_>| match rule.practice {
             HeldTo::Least => row.feed_low.0,
             HeldTo::Usual => row.feed.unwrap_or(row.feed_high).0,

@@ -16,8 +16,8 @@ use super::{Body, Envelope, SetUp, ToolWork};
 pub(super) fn with_given(setup: &SetUp, plan: &Plan, envelopes: &[Envelope]) -> Vec<Finding> {
     let mut findings = Vec::new();
     for work in &setup.works {
-        let bodies = envelopes.iter().filter(|one| one.tool == work.tool).flat_map(|one| &one.bodies);
-        let bodies: Vec<&Body> = bodies.collect();
+        let bodies: Vec<&Body> =
+            envelopes.iter().filter(|one| one.tool == work.tool).flat_map(|one| &one.bodies).collect();
         for one in setup.standing.iter().filter(|one| !one.proposed) {
             let found = through(work, one, plan).or_else(|| {
                 // Of a holder that is known and one that is not, the known one is sure.

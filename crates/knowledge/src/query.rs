@@ -535,6 +535,14 @@ impl Knowledge {
         }
     }
 
+    /// The row that answers a question; none if a figure is outside the range of the table, or no row answers.
+    ///
+    /// # Errors
+    /// As [`Self::ask`], except for that, and rows contradict each other.
+    pub fn winner_within<'k, Q: Question>(&'k self, question: &Q) -> Result<Option<Q::Row<'k>>, KnowledgeError> {
+        Ok(self.ask_within(question)?.map(|answer| answer.winner()).transpose()?.flatten())
+    }
+
     /// The one table of a row type.
     ///
     /// # Errors

@@ -203,10 +203,10 @@ fn springs(
             let most = feeds * transition.conditions.feed_mm_per_rev.0;
             if spring > most && worst.as_ref().is_none_or(|(known, _)| spring > *known) {
                 let (operation, span) = (transition.operation, Micrometres::from_mm_rounded(span));
-                let fault = match gives.filter(|gives| spring > *gives) {
-                    Some(most) => Fault::PlateGives { operation, thrust, spring, span, most },
-                    None => Fault::PlateSprings { operation, thrust, spring, span, most },
-                };
+                // Beyond what such straps bear the plate is not held.
+                let beyond = gives.filter(|gives| spring > *gives);
+                let (most, gives) = (beyond.unwrap_or(most), beyond.is_some());
+                let fault = Fault::PlateSprings { operation, thrust, spring, span, most, gives };
                 worst = Some((spring, fault));
             }
         }

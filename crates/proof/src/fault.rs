@@ -111,9 +111,8 @@ pub enum Fault {
     /// The first cut in a cast hole is too shallow: where the stock is thinnest, it runs in the skin.
     UnderSkin { operation: Operation, depth: Micrometres, place: Micrometres, least: Micrometres },
     /// A thin plate springs between its supports by more than the feed.
-    PlateSprings { operation: Operation, thrust: Newtons, spring: f64, span: Micrometres, most: f64 },
-    /// A thin plate springs so far between straps of the plan's own that they do not hold it.
-    PlateGives { operation: Operation, thrust: Newtons, spring: f64, span: Micrometres, most: f64 },
+    /// `gives`: so far between straps of the plan's own that they do not hold it.
+    PlateSprings { operation: Operation, thrust: Newtons, spring: f64, span: Micrometres, most: f64, gives: bool },
     /// A boring bar deflects under uneven stock by more than the tolerance of the hole.
     BarSprings { operation: Operation, spring: Micrometres, tolerance: Micrometres },
 }
@@ -124,7 +123,7 @@ impl Fault {
         match self {
             Self::Wanting { shortfall, .. } if shortfall.at_best() => Severity::Doubtful,
             Self::ThinFloor { bursts: true, .. } => Severity::Error,
-            Self::PlateGives { .. } => Severity::Wrong,
+            Self::PlateSprings { gives: true, .. } => Severity::Wrong,
             // Closed flutes break the drill; with less room than usual a patient hand gets through.
             Self::FlutesClose { flutes, tip, .. } if flutes > tip => Severity::Doubtful,
             Self::HolderLow { overhang, tip, .. } if overhang > tip => Severity::Doubtful,
@@ -260,16 +259,14 @@ impl Fault {
                 .with("place", place)
                 .with("thinnest", (*depth - *place).max(Micrometres::ZERO))
                 .with("least", least),
-            Self::PlateSprings { operation, thrust, spring, span, most } => of("proof-plate-springs", operation)
-                .with("thrust", round_to(thrust.0, 0))
-                .with("spring", round_to(*spring, 2))
-                .with("span", span)
-                .with("most", round_to(*most, 2)),
-            Self::PlateGives { operation, thrust, spring, span, most } => of("proof-plate-gives", operation)
-                .with("thrust", round_to(thrust.0, 0))
-                .with("spring", round_to(*spring, 2))
-                .with("span", span)
-                .with("most", round_to(*most, 2)),
+            Self::PlateSprings { operation, thrust, spring, span, most, gives } => {
+                let code = if *gives { "proof-plate-gives" } else { "proof-plate-springs" };
+                of(code, operation)
+                    .with("thrust", round_to(thrust.0, 0))
+                    .with("spring", round_to(*spring, 2))
+                    .with("span", span)
+                    .with("most", round_to(*most, 2))
+            }
             Self::BarSprings { operation, spring, tolerance } => {
                 of("proof-bar-springs", operation).with("spring", spring).with("tolerance", tolerance)
             }

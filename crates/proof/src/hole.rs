@@ -354,8 +354,7 @@ impl Walk<'_, '_> {
                     _ => ReamingCase::OneAfterCoreDrill,
                 };
                 let question = StockBeforeReamingFor { case, diameter: transition.diameter_mm };
-                let answer = self.shop.knowledge.ask_within(&question)?;
-                answer.map(|answer| answer.winner()).transpose()?.flatten().map(|row| row.stock_max)
+                self.shop.knowledge.winner_within(&question)?.map(|row| row.stock_max)
             }
             Operation::SemiFinishBore => Some(mm(ProofLimit::SemiFinishBoreStock)?),
             Operation::FinishBore => Some(mm(ProofLimit::FinishBoreStock)?),

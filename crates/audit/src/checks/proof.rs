@@ -61,7 +61,6 @@ pub(super) fn check<'a>(
                 | Fault::PilotMeetsFloor { .. }
                 | Fault::HolderLow { .. }
                 | Fault::PlateSprings { .. }
-                | Fault::PlateGives { .. }
                 | Fault::NotFinished { .. }
                 | Fault::SpotStays { .. }
                 | Fault::TooShallow { .. }

@@ -289,7 +289,7 @@ fn most_fed(context: &Context<'_>, reference: &Transition) -> Result<f64, Knowle
     }
     let (material_group, diameter) = (context.shop.material.group, reference.diameter_mm);
     let question = PracticeFeedFor { operation: PracticeWork::Ream, material_group, diameter };
-    let row = context.shop.knowledge.ask_within(&question)?.map(|answer| answer.winner()).transpose()?.flatten();
+    let row = context.shop.knowledge.winner_within(&question)?;
     Ok(row.map_or(own, |row| own.max(row.feed_high.0)))
 }
 

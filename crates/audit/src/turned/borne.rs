@@ -53,9 +53,9 @@ pub(super) fn borne(
         Body::Drill { diameter_mm: diameter, .. } => {
             let (material_group, hardness) = (material.group, Brinell(material.hardness));
             let practice = PracticeFeedFor { operation: PracticeWork::Drill, material_group, diameter };
-            let practice = knowledge.ask_within(&practice)?.map(|answer| answer.winner()).transpose()?.flatten();
+            let practice = knowledge.winner_within(&practice)?;
             let handbook = DrillingFeedFor { material_group, hardness, diameter };
-            let handbook = knowledge.ask_within(&handbook)?.map(|answer| answer.winner()).transpose()?.flatten();
+            let handbook = knowledge.winner_within(&handbook)?;
             let both = [practice.map(|row| row.feed_high.0), handbook.map(|row| row.feed_max.0)];
             let Some(solid) = both.into_iter().flatten().max_by(f64::total_cmp) else { return Ok(None) };
             let multiple = if opened { FeedMultiple::Handbook } else { FeedMultiple::Single };

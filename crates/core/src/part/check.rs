@@ -112,11 +112,13 @@ fn slot_inside(group: &Group, blank: &Blank, datum: &Datum, problems: &mut Probl
         for (at, place) in &group.points {
             let far = slot.far(*at);
             let middle = Point { x: (at.x + far.x).half(), y: (at.y + far.y).half() };
-            let end = slot.closed(*at).next();
-            if reaches_out(end.unwrap_or(middle), width.half(), blank, datum) {
-                let note = Note::new(if end.is_some() { "part-slot-inside-blank" } else { "part-slot-across-blank" });
-                let end = end.unwrap_or(middle);
-                let note = note.with("name", group.label()).with("width", width).with("x", end.x).with("y", end.y);
+            let (end, code) = match slot.closed(*at).next() {
+                Some(end) => (end, "part-slot-inside-blank"),
+                None => (middle, "part-slot-across-blank"),
+            };
+            if reaches_out(end, width.half(), blank, datum) {
+                let note =
+                    Note::new(code).with("name", group.label()).with("width", width).with("x", end.x).with("y", end.y);
                 problems.error_help::<()>("outside-blank", note, place, extent(blank, datum));
             }
         }

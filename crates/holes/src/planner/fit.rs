@@ -241,9 +241,9 @@ impl<'p, 'k> Fitting<'p, 'k> {
     }
 
     /// Taps with the lead of that convention.
-    pub fn taps_with(&mut self, lead: HoleDefault) -> Result<(), KnowledgeError> {
+    pub fn with_taps(mut self, lead: HoleDefault) -> Result<Self, KnowledgeError> {
         self.tap_lead = (self.shop.share(lead)?, lead);
-        Ok(())
+        Ok(self)
     }
 
     /// Fits the steps of a hole in their order; the first step that cannot be fitted gives the reason.

@@ -26,12 +26,6 @@ pub(super) fn held(mut plan: Plan, shop: &Shop<'_>) -> Result<(Plan, Vec<Finding
     let (clamping, mut findings) = setup::clamping(&plan.part, &entry, shop)?;
     plan.clamping = clamping;
     plan.setup.vice = setup::vice_instead(&plan.part, &plan.holes, &mut findings, shop)?;
-    // Where stops and supports stand nobody says.
-    let open = plan.part.holes.iter().filter_map(|hole| Some((hole, hole.slot?.open?)));
-    findings.extend(open.map(|(hole, _)| {
-        let note = Note::new("slot-runs-out").with("beyond", hole.diameter.nominal).with("depth", hole.depth);
-        Finding::of_hole(Severity::Doubtful, &hole.name, note)
-    }));
     // A vice holds the part in both set-ups.
     if plan.setup.vice.is_none() {
         let (clamping, of_second) = setup::second_clamping(&plan.part, &plan.holes, shop)?;
@@ -46,6 +40,12 @@ pub(super) fn held(mut plan: Plan, shop: &Shop<'_>) -> Result<(Plan, Vec<Finding
         }
         findings.extend(unheld);
     }
+    // Where stops and supports stand nobody says.
+    let open = plan.part.holes.iter().filter_map(|hole| Some((hole, hole.slot?.open?)));
+    findings.extend(open.map(|(hole, _)| {
+        let note = Note::new("slot-runs-out").with("beyond", hole.diameter.nominal).with("depth", hole.depth);
+        Finding::of_hole(Severity::Doubtful, &hole.name, note)
+    }));
     for face in [Face::Entry, Face::Back] {
         let (cleared, finding) = out_of_the_way(plan, face, shop)?;
         plan = cleared;

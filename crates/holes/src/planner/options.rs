@@ -274,11 +274,9 @@ fn options_as_drawn(
     shop: &Shop<'_>,
 ) -> Tried<Options> {
     let task = bores::task_with_run_out(hole, part, run_out, shop)?;
-    let mut fitting = Fitting::new(hole, &task.edges, part, shop)?;
-    if run_out == HoleDefault::BottomingTapLeadPitches {
-        fitting.taps_with(run_out)?;
-    }
-    let fitting = fitting;
+    let usual = Fitting::new(hole, &task.edges, part, shop)?;
+    let bottoming = run_out == HoleDefault::BottomingTapLeadPitches;
+    let fitting = if bottoming { usual.with_taps(run_out)? } else { usual };
     let main = &task.main;
     let mut drills = Vec::new();
     for size in all_drills {

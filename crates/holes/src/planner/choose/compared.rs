@@ -73,9 +73,7 @@ impl Chooser<'_, '_> {
         let cost = self.shop.machine.minute_rate.map(|rate| round_to(time.0 * rate, 2));
         Some(ComparedRoutes { time: time.rounded(3), cost, margin, alternatives })
     }
-}
 
-impl Chooser<'_, '_> {
     /// Whether a route brings a drill into the magazine with which another hole, drilled at once, must be drilled twice.
     fn brings_drill(&self, group: usize, route: &Choice) -> bool {
         let others = (0..self.chosen.len()).filter(|other| *other != group).filter_map(|other| self.choice(other));
