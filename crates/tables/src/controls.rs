@@ -71,6 +71,10 @@ vocabulary! {
         FeedBesideMost = "feed-beside-most",
         /// How many pitches a tap may come out of a through hole farther than the drill before it.
         TapBeyondDrill = "tap-beyond-drill",
+        /// How far from its hole a tap is beside it, mm.
+        TapBesideHole = "tap-beside-hole",
+        /// How many times the depth of the others of its tool a depth may be.
+        DepthBesideMost = "depth-beside-most",
         /// How far below a through hole a reamer goes at most over free room, mm.
         ReamerOverrunMost = "reamer-overrun-most",
         /// The greatest feed of a turn, mm.
@@ -99,6 +103,7 @@ impl Convention {
             | Self::KneeStep
             | Self::PeckMost
             | Self::ReamerOverrunMost
+            | Self::TapBesideHole
             | Self::FeedOfTurnMost
             | Self::CutsAround => "mm",
             Self::FeedStep | Self::FeedOfMinuteLeast => "mm/min",
@@ -111,6 +116,7 @@ impl Convention {
             | Self::DwellTurnsLeast
             | Self::TapFeedNear
             | Self::TapBeyondDrill
+            | Self::DepthBesideMost
             | Self::FeedBesideMost => "1",
         }
     }

@@ -52,6 +52,7 @@ vocabulary! {
         JawWidthShare = "jaw-width-share",
         FullGripArc = "full-grip-arc",
         UnsaidGrade = "unsaid-grade",
+        WallKeepsShape = "wall-keeps-shape",
     }
 }
 

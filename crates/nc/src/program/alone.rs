@@ -42,6 +42,10 @@ pub(super) struct Habits {
     pub of_edges: Vec<String>,
     /// How many pitches a tap may come out of a through hole farther than the drill before it.
     pub tap_beyond: f64,
+    /// How far from its hole a tap is beside it, mm.
+    pub tap_beside: f64,
+    /// How many times the depth of the others of its tool a depth may be.
+    pub depth_beside: f64,
     /// The greatest feed of a turn, mm.
     pub feed_of_turn: f64,
     /// The least feed of a minute, mm.
@@ -74,6 +78,8 @@ impl Habits {
             of_taps: words_of(knowledge, &[ToolKind::Tap])?,
             of_edges: words_of(knowledge, &[ToolKind::Chamfer, ToolKind::Countersink, ToolKind::Centring])?,
             tap_beyond: figure(Convention::TapBeyondDrill)?,
+            tap_beside: figure(Convention::TapBesideHole)?,
+            depth_beside: figure(Convention::DepthBesideMost)?,
             feed_of_turn: figure(Convention::FeedOfTurnMost)?,
             feed_of_minute: figure(Convention::FeedOfMinuteLeast)?,
             feed_beside: figure(Convention::FeedBesideMost)?,

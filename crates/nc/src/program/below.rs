@@ -75,6 +75,10 @@ pub(super) struct Measure {
     pub times: f64,
     /// How many pitches a tap may come out of a through hole farther than the drill before it.
     pub beyond: f64,
+    /// How far from its hole a tap is beside it, mm.
+    pub tap_beside: f64,
+    /// How many times the depth of the others of its tool a depth may be.
+    pub depth_beside: f64,
     /// How far the feed of a turn of a tap may be off its pitch, as a part of it.
     pub tap_near: f64,
     /// The pitches of the threads that comments name for a tool, mm.

@@ -10,16 +10,17 @@ use crate::units::round_to;
 
 /// Heights that differ by less are one, mm.
 const SAME: f64 = 0.01;
-/// A tap so far from its hole is beside it, mm: less is how somebody rounds.
-const BESIDE: f64 = 0.1;
-/// A depth so many times that of the others has a digit too many: ten, less what they differ.
-const TENFOLD: f64 = 9.5;
 /// The most holes that are kept, and the most that is told of them.
 const MOST: usize = 20_000;
 const MOST_TOLD: usize = 100;
 
 /// A place: the system, and X and Y in hundredths.
 type Place = (u8, i64, i64);
+
+fn place(system: u8, at: Position) -> Place {
+    let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
+    (system, x, y)
+}
 
 /// A way straight down at feed, in one or several steps.
 #[derive(Clone, Copy, Debug)]
@@ -89,12 +90,10 @@ impl Holes {
             }
             Motion::Feed { feed_mm_per_min } if upright && z < before => {
                 self.per_turn = feed_mm_per_min.0 / self.speed;
-                let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
-                self.down((seen.system, x, y), (before, z), step.block, seen, room);
+                self.down(place(seen.system, at), (before, z), step.block, seen, room);
             }
             Motion::Feed { .. } if upright && before >= 0.0 && z > before && !self.open => {
-                let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
-                self.risen.insert(((seen.system, x, y), self.section));
+                self.risen.insert((place(seen.system, at), self.section));
             }
             Motion::Feed { .. } if upright => {}
             Motion::Feed { .. } | Motion::Arc { .. } => {
@@ -174,114 +173,33 @@ impl Holes {
         for (index, hole) in self.holes.iter().enumerate() {
             at.entry(hole.place).or_default().push(index);
         }
-        let earlier = |index: usize, hole: &Hole| {
-            let there = at.get(&hole.place).into_iter().flatten().take_while(move |other| **other < index);
-            there.filter_map(|other| self.holes.get(*other))
-        };
-        let deepest = |index: usize, hole: &Hole| earlier(index, hole).map(|other| other.bottom).reduce(f64::min);
-        // What a tap does itself before it is its way to the hole.
-        let drilled = |index: usize, hole: &Hole| {
-            let others = earlier(index, hole).filter(|other| other.pitch.is_none() && other.section != hole.section);
-            others.map(|other| other.bottom).reduce(f64::min)
-        };
-        let mut told = Vec::new();
-        let mut tell = |block: BlockRef, code: &'static str, note: Note| {
-            if told.len() < MOST_TOLD && !told.iter().any(|(_, known, other)| *known == code && *other == note) {
-                told.push((block, code, note));
-            }
-        };
-        let taps = self.holes.iter().enumerate().filter(|(_, hole)| hole.pitch.is_some());
-        let taps_drilled: BTreeSet<usize> =
-            taps.filter(|(at, hole)| drilled(*at, hole).is_some()).map(|(_, hole)| hole.section).collect();
+        let mut review = Review { all: self, at, milled, measure, told: Vec::new() };
         let level = |hole: &Hole, begin: f64| (hole.section, hole.place.0, hundredths(begin), hundredths(hole.bottom));
         let levels: BTreeSet<_> = self.holes.iter().map(|hole| level(hole, hole.begin)).collect();
+        let taps = self.holes.iter().enumerate().filter(|(_, hole)| hole.pitch.is_some());
+        let drilled: BTreeSet<usize> =
+            taps.filter(|(at, hole)| review.drilled(*at, hole).is_some()).map(|(_, hole)| hole.section).collect();
         for (index, hole) in self.holes.iter().enumerate() {
-            let note = |code| Note::new(code).with("tool", hole.tool);
             if hole.begin < -BELOW && !hole.milled {
-                let code = "begins-in-metal";
-                match deepest(index, hole) {
-                    Some(bottom) if bottom <= hole.begin + BELOW => {}
-                    Some(bottom) => {
-                        let note = note(code).with("z", round_to(hole.begin, 3)).with("why", "touched".to_owned());
-                        tell(hole.block, code, note.with("other", round_to(bottom, 3)));
-                    }
-                    // As far below the zero as others of the tool above it, and as deep.
-                    None if levels.contains(&level(hole, -hole.begin)) => {
-                        let note = note(code).with("z", round_to(hole.begin, 3)).with("why", "sign".to_owned());
-                        tell(hole.block, code, note.with("other", round_to(-hole.begin, 3)));
-                    }
-                    None if hole.in_cycle && hole.untouched && hole.tool != 0 => {
-                        let code = "rapid-below-zero";
-                        tell(hole.block, code, note(code).with("z", round_to(hole.begin, 3)));
-                    }
-                    None => {}
-                }
+                review.begins_below(index, hole, levels.contains(&level(hole, -hole.begin)));
             }
-            let near = |known: &f64| (hole.per_turn / known - 1.0).abs() <= measure.tap_near;
-            if hole.pitch.is_none() && hole.out_at_rapid && !hole.mills {
-                let named = measure.threads.get(&hole.tool).into_iter().flatten();
-                if let Some(pitch) = named.copied().find(near) {
-                    let code = "tap-in-drill-cycle";
-                    tell(hole.block, code, note(code).with("pitch", round_to(pitch, 3)));
-                }
+            match hole.pitch.filter(|pitch| pitch.is_finite()) {
+                Some(pitch) => review.tap(index, hole, pitch, drilled.contains(&hole.section)),
+                None if hole.pitch.is_none() => review.out_of_cycle(hole),
+                None => {}
             }
-            let Some(pitch) = hole.pitch.filter(|pitch| pitch.is_finite()) else { continue };
-            let same_tap = |other: &&Hole| other.pitch.is_some() && other.section == hole.section;
-            let again = earlier(index, hole).filter(same_tap).any(|other| {
-                // Deeper than before it goes on in steps.
-                other.stops == hole.stops && hole.bottom >= other.bottom - SAME
+        }
+        for (hole, other) in self.tenfold(measure.depth_beside) {
+            review.tell(hole, "depth-tenfold", |note| {
+                note.with("z", round_to(hole.bottom, 3)).with("other", round_to(other, 3))
             });
-            if again || hole.again {
-                tell(hole.block, "tap-again", note("tap-again").with("z", round_to(hole.bottom, 3)));
-            }
-            if hole.begin < -BELOW && !hole.milled {
-                let mut wide = earlier(index, hole)
-                    .filter(|other| other.section != hole.section && other.bottom <= hole.begin + BELOW);
-                // Of two tools that went so deep one may have been a counterbore; so may one that came down below the zero.
-                if let (Some(only), None) = (wide.next(), wide.next())
-                    && only.begin >= -BELOW
-                    && !only.mills
-                {
-                    let code = "tap-begins-in-hole";
-                    tell(hole.block, code, note(code).with("z", round_to(hole.begin, 3)));
-                }
-            }
-            match drilled(index, hole) {
-                Some(bottom) if bottom > hole.bottom + SAME => {
-                    let through = bottom - hole.bottom <= measure.beyond * pitch;
-                    let code = if through { "tap-beyond-hole-maybe" } else { "tap-beyond-hole" };
-                    let note = note(code).with("z", round_to(hole.bottom, 3)).with("other", round_to(bottom, 3));
-                    tell(hole.block, code, note);
-                }
-                Some(_) => {}
-                None => {
-                    let (_, x, y) = hole.place;
-                    if taps_drilled.contains(&hole.section)
-                        && !milled([x, y].map(|along| along as f64 / 100.0), hole.bottom)
-                    {
-                        tell(hole.block, "tap-without-hole", note("tap-without-hole"));
-                    } else if self.risen.iter().any(|(place, section)| *place == hole.place && *section < hole.section)
-                    {
-                        tell(hole.block, "tap-hole-not-cut", note("tap-hole-not-cut"));
-                    } else if let Some(off) = self.beside(index, hole, pitch)
-                        && !milled([x, y].map(|along| along as f64 / 100.0), hole.bottom)
-                    {
-                        let code = "tap-beside-hole";
-                        tell(hole.block, code, note(code).with("distance", round_to(off, 2)));
-                    }
-                }
-            }
         }
-        for (hole, other) in self.tenfold() {
-            let note = Note::new("depth-tenfold").with("tool", hole.tool).with("z", round_to(hole.bottom, 3));
-            tell(hole.block, "depth-tenfold", note.with("other", round_to(other, 3)));
-        }
-        told
+        review.told
     }
 
-    /// How far from a tap, mm, the nearest hole lies that was made before it for no other tap and into which it would cut: no thread
+    /// How far from a tap, mm, the nearest hole lies, no nearer than `least`, that was made before it for no other tap and into which it would cut: no thread
     /// has less than four pitches in its diameter, as M1 has, so within two of them its middle is in that hole's wall.
-    fn beside(&self, index: usize, tap: &Hole, pitch: f64) -> Option<f64> {
+    fn beside(&self, index: usize, tap: &Hole, pitch: f64, least: f64) -> Option<f64> {
         let off = |other: &Hole| {
             let [x, y] = [other.place.1 - tap.place.1, other.place.2 - tap.place.2].map(|along| along as f64 / 100.0);
             libm::hypot(x, y)
@@ -290,11 +208,11 @@ impl Holes {
             let below = other.bottom < -BELOW && other.place.0 == tap.place.0;
             below && other.section != tap.section && other.pitch.is_none() && !other.mills
         });
-        holes.map(off).filter(|off| *off > BESIDE && *off < 2.0 * pitch).reduce(f64::min)
+        holes.map(off).filter(|off| *off > least && *off < 2.0 * pitch).reduce(f64::min)
     }
 
-    /// Holes ten times as deep as the others of their tool that begin at the same height, each with the height to which those go.
-    fn tenfold(&self) -> Vec<(&Hole, f64)> {
+    /// Holes so many times as deep as the others of their tool that begin at the same height, each with the height to which those go.
+    fn tenfold(&self, times: f64) -> Vec<(&Hole, f64)> {
         let mut rows: BTreeMap<(usize, u8, i64), Vec<&Hole>> = BTreeMap::new();
         for hole in self.holes.iter().filter(|hole| !hole.mills && hole.bottom < 0.0) {
             rows.entry((hole.section, hole.place.0, hundredths(hole.begin))).or_default().push(hole);
@@ -305,9 +223,125 @@ impl Holes {
             bottoms.sort_by(f64::total_cmp);
             // The middle one, of two the deeper.
             let Some(other) = bottoms.get((bottoms.len() - 1) / 2).copied() else { continue };
-            found.extend(row.iter().filter(|hole| hole.bottom <= TENFOLD * other).map(|hole| (*hole, other)));
+            found.extend(row.iter().filter(|hole| hole.bottom <= times * other).map(|hole| (*hole, other)));
         }
         found
+    }
+}
+
+/// The holes gone through at the end, each beside those before it.
+struct Review<'a, M> {
+    all: &'a Holes,
+    /// The numbers of the holes of each place.
+    at: BTreeMap<Place, Vec<usize>>,
+    milled: M,
+    measure: &'a Measure,
+    told: Vec<ToldBelow>,
+}
+
+impl<'a, M: Fn([f64; 2], f64) -> bool> Review<'a, M> {
+    /// Tells it once, with its figures.
+    fn tell(&mut self, hole: &Hole, code: &'static str, figures: impl FnOnce(Note) -> Note) {
+        let note = figures(Note::new(code).with("tool", hole.tool));
+        if self.told.len() < MOST_TOLD && !self.told.iter().any(|(_, known, other)| *known == code && *other == note) {
+            self.told.push((hole.block, code, note));
+        }
+    }
+
+    fn earlier(&self, index: usize, hole: &Hole) -> impl Iterator<Item = &'a Hole> + '_ {
+        let there = self.at.get(&hole.place).into_iter().flatten().take_while(move |other| **other < index);
+        there.filter_map(|other| self.all.holes.get(*other))
+    }
+
+    /// How deep it was drilled: what a tap does itself before it is its way to the hole.
+    fn drilled(&self, index: usize, hole: &Hole) -> Option<f64> {
+        let others = self.earlier(index, hole).filter(|other| other.pitch.is_none() && other.section != hole.section);
+        others.map(|other| other.bottom).reduce(f64::min)
+    }
+
+    fn is_milled(&self, hole: &Hole) -> bool {
+        let (_, x, y) = hole.place;
+        (self.milled)([x, y].map(|along| along as f64 / 100.0), hole.bottom)
+    }
+
+    /// A feed that begins below the zero where nothing was milled; `mirrored` says that others of its tool begin as far above it and end
+    /// as deep.
+    fn begins_below(&mut self, index: usize, hole: &Hole, mirrored: bool) {
+        let begin = |note: Note| note.with("z", round_to(hole.begin, 3));
+        let deepest = self.earlier(index, hole).map(|other| other.bottom).reduce(f64::min);
+        let (why, other) = match deepest {
+            Some(bottom) if bottom <= hole.begin + BELOW => return,
+            Some(bottom) => ("touched", bottom),
+            None if mirrored => ("sign", -hole.begin),
+            None if hole.in_cycle && hole.untouched && hole.tool != 0 => {
+                return self.tell(hole, "rapid-below-zero", begin);
+            }
+            None => return,
+        };
+        self.tell(hole, "begins-in-metal", |note| {
+            begin(note).with("why", why.to_owned()).with("other", round_to(other, 3))
+        });
+    }
+
+    /// A tool that a comment calls a tap, fed by its pitch, in a cycle that pulls it out at rapid.
+    fn out_of_cycle(&mut self, hole: &Hole) {
+        if !hole.out_at_rapid || hole.mills {
+            return;
+        }
+        let near = |known: &f64| (hole.per_turn / known - 1.0).abs() <= self.measure.tap_near;
+        let named = self.measure.threads.get(&hole.tool).into_iter().flatten().copied().find(near);
+        if let Some(pitch) = named {
+            self.tell(hole, "tap-in-drill-cycle", |note| note.with("pitch", round_to(pitch, 3)));
+        }
+    }
+
+    /// A tap; `others_drilled` says that the program drilled other holes for it.
+    fn tap(&mut self, index: usize, hole: &Hole, pitch: f64, others_drilled: bool) {
+        // Deeper than before it goes on in steps.
+        let again = self.earlier(index, hole).any(|other| {
+            let same = other.pitch.is_some() && other.section == hole.section && other.stops == hole.stops;
+            same && hole.bottom >= other.bottom - SAME
+        });
+        if again || hole.again {
+            self.tell(hole, "tap-again", |note| note.with("z", round_to(hole.bottom, 3)));
+        }
+        if hole.begin < -BELOW && !hole.milled && self.only_drilled(index, hole) {
+            self.tell(hole, "tap-begins-in-hole", |note| note.with("z", round_to(hole.begin, 3)));
+        }
+        match self.drilled(index, hole) {
+            Some(bottom) if bottom > hole.bottom + SAME => {
+                let through = bottom - hole.bottom <= self.measure.beyond * pitch;
+                let code = if through { "tap-beyond-hole-maybe" } else { "tap-beyond-hole" };
+                self.tell(hole, code, |note| {
+                    note.with("z", round_to(hole.bottom, 3)).with("other", round_to(bottom, 3))
+                });
+            }
+            Some(_) => {}
+            None => self.without_hole(index, hole, pitch, others_drilled),
+        }
+    }
+
+    /// Whether where the tap begins one drill was and nothing else: of two tools that went so deep one may have been a counterbore, and
+    /// so may one that came down below the zero.
+    fn only_drilled(&self, index: usize, hole: &Hole) -> bool {
+        let mut wide = self
+            .earlier(index, hole)
+            .filter(|other| other.section != hole.section && other.bottom <= hole.begin + BELOW);
+        matches!((wide.next(), wide.next()), (Some(only), None) if only.begin >= -BELOW && !only.mills)
+    }
+
+    /// A tap where nothing was drilled. Where the program only taps, the holes may be there.
+    fn without_hole(&mut self, index: usize, hole: &Hole, pitch: f64, others_drilled: bool) {
+        let mut risen = self.all.risen.range((hole.place, 0)..(hole.place, hole.section));
+        if others_drilled && !self.is_milled(hole) {
+            self.tell(hole, "tap-without-hole", |note| note);
+        } else if risen.next().is_some() {
+            self.tell(hole, "tap-hole-not-cut", |note| note);
+        } else if let Some(off) = self.all.beside(index, hole, pitch, self.measure.tap_beside)
+            && !self.is_milled(hole)
+        {
+            self.tell(hole, "tap-beside-hole", |note| note.with("distance", round_to(off, 2)));
+        }
     }
 }
 

@@ -37,7 +37,7 @@ pub(super) fn never_set(
         _ => Note::new(code).with("words", words.join(", ")),
     };
     // What they are about is joined at the end (`as_one`).
-    told.map(|(code, words)| (code, note(code, words.clone()), Subject::Function(words.join(", ")))).collect()
+    told.map(|(code, words)| (code, note(code, words.clone()), Subject::Missing(words))).collect()
 }
 
 /// Whether a way along X or Y comes before the program has brought Z anywhere: the quill may be down. It is told once.
@@ -53,12 +53,12 @@ pub(super) fn as_one(faults: &mut Vec<Fault>) {
         let all: Vec<(TextSpan, Option<Subject>)> = of_code.map(|fault| (fault.span, fault.subject.clone())).collect();
         let Some(first) = all.iter().map(|(span, _)| *span).min().filter(|_| all.len() > 1) else { continue };
         let mut known = BTreeSet::new();
-        let written = all.iter().filter_map(|(_, subject)| match subject {
-            Some(Subject::Function(words)) => Some(words),
+        let missing = all.iter().filter_map(|(_, subject)| match subject {
+            Some(Subject::Missing(words)) => Some(words),
             _ => None,
         });
-        let words = written.flat_map(|words| words.split(", ")).filter(|word| known.insert(*word));
-        let words = words.collect::<Vec<_>>().join(", ");
+        let words: Vec<&str> = missing.flatten().map(String::as_str).filter(|word| known.insert(*word)).collect();
+        let words = words.join(", ");
         faults.retain(|fault| fault.code != code || fault.span == first);
         for fault in faults.iter_mut().filter(|fault| fault.code == code) {
             fault.note = fault.note.clone().with("words", words.clone());

@@ -233,6 +233,8 @@ pub enum Subject {
     Tool(usize),
     /// A function, such as `G77`.
     Function(String),
+    /// Functions that the program lacks.
+    Missing(Vec<String>),
 }
 
 impl Fault {

@@ -68,6 +68,8 @@ impl<'a, S: Sink> Running<'a, S> {
             around: habits.cuts_around,
             times: habits.feed_beside,
             beyond: habits.tap_beyond,
+            tap_beside: habits.tap_beside,
+            depth_beside: habits.depth_beside,
             tap_near: habits.tap_near,
             threads: names.pitches(),
             of_edges: names.of_edges(),

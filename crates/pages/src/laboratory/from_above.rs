@@ -121,26 +121,14 @@ pub(super) fn drawing(part: &Part, lang: Lang) -> String {
     let xs = chain(part, |point| point.x).filter(|chain| fits(chain, plate.scale, lang));
     let ys = chain(part, |point| point.y).filter(|chain| fits(chain, plate.scale, lang));
     let (mut below, mut beside) = (corner.1 + up + 22.0, corner.0 - 22.0);
-    if let Some(links) = &xs {
-        let on_page = |(x, y): (Micrometres, Micrometres)| plate.at(Point { x, y });
-        for pair in links.windows(2) {
-            let ends = [pair[0], pair[1]].map(on_page);
-            canvas.dimension(ends.map(|(x, _)| (x, below)), &mm(pair[1].0 - pair[0].0, lang));
-        }
-        for (x, y) in links.iter().copied().map(on_page) {
-            canvas.line(&[(x, y), (x, below + 4.0)], THIN);
-        }
+    if let Some(links) = xs {
+        let links: Vec<_> = links.into_iter().map(|(x, y)| (x, plate.at(Point { x, y }))).collect();
+        links_drawn(&mut canvas, &links, |(x, _), out| (x, below + out), lang);
         below += NEXT;
     }
-    if let Some(links) = &ys {
-        let on_page = |(y, x): (Micrometres, Micrometres)| plate.at(Point { x, y });
-        for pair in links.windows(2) {
-            let ends = [pair[0], pair[1]].map(on_page);
-            canvas.dimension(ends.map(|(_, y)| (beside, y)), &mm(pair[1].0 - pair[0].0, lang));
-        }
-        for (x, y) in links.iter().copied().map(on_page) {
-            canvas.line(&[(x, y), (beside - 4.0, y)], THIN);
-        }
+    if let Some(links) = ys {
+        let links: Vec<_> = links.into_iter().map(|(y, x)| (y, plate.at(Point { x, y }))).collect();
+        links_drawn(&mut canvas, &links, |(_, y), out| (beside - out, y), lang);
         beside -= ASIDE;
     }
     let round = part.blank.is_round();
@@ -164,6 +152,17 @@ pub(super) const SIZE: f64 = 12.0;
 /// From one dimension line to the next, below the plate and beside it, where the figures stand across.
 const NEXT: f64 = 26.0;
 const ASIDE: f64 = 36.0;
+
+/// A chain of dimensions between places of the page, each with its coordinate: `to_line` brings a place to the dimension line, or so
+/// far beyond it.
+fn links_drawn(canvas: &mut Canvas, links: &[(Micrometres, At)], to_line: impl Fn(At, f64) -> At, lang: Lang) {
+    for pair in links.windows(2) {
+        canvas.dimension([to_line(pair[0].1, 0.0), to_line(pair[1].1, 0.0)], &mm(pair[1].0 - pair[0].0, lang));
+    }
+    for (_, at) in links {
+        canvas.line(&[*at, to_line(*at, 4.0)], THIN);
+    }
+}
 
 /// How many holes of which size a group has, and its name.
 fn group(hole: &Hole, lang: Lang) -> String {

@@ -33,16 +33,16 @@ pub struct Grip {
     pub tips_n_m: Option<NewtonMetres>,
     /// The moment that they hold for each newton of their force, mm.
     #[serde(skip)]
-    pub seat_mm: f64,
+    seat_mm: f64,
     /// The length that they grip.
     #[serde(skip)]
-    pub over: Half,
+    over: Half,
     /// Z of their front.
     #[serde(skip)]
-    pub front: Half,
+    front: Half,
     /// What stands before the finished face.
     #[serde(skip)]
-    pub ahead: Ahead,
+    ahead: Ahead,
     /// What they are loosened to before the bore is finished, where all of their force would spring it out of round, and what they are
     /// tightened to after that.
     #[serde(skip)]
@@ -85,16 +85,14 @@ impl Grip {
         let held = Self::holds(jaws, knowledge)?;
         let seat_mm = held.seat_mm(jaws);
         let Held { friction, safety, given_n, because } = held;
-        let middle = jaws.front_mm.to_mm() + jaws.length_mm.to_mm() / 2.0;
+        let middle = middle_mm(jaws.front_mm, jaws.length_mm);
         let tips =
             jobs.iter().filter_map(|job| tips(job, middle, ahead)).max_by(|one, other| one.0.total_cmp(&other.0));
         let tips_n_m = tips.filter(|_| alone);
-        let upright = tips_n_m.map_or(0.0, |moment| safety * moment.0 * 1000.0 / seat_mm);
-        let required_n = Newtons((safety * pull / friction).max(upright));
-        Ok(Some(Self {
+        let mut grip = Self {
             grips_mm: jaws.grips_mm,
             pull_n: Newtons(pull),
-            required_n,
+            required_n: Newtons(0.0),
             tips_n_m,
             seat_mm,
             over: jaws.length_mm,
@@ -105,7 +103,9 @@ impl Grip {
             friction,
             safety,
             because,
-        }))
+        };
+        grip.required_n = grip.required(pull, tips_n_m);
+        Ok(Some(grip))
     }
 
     /// Where the jaws are loosened and tightened, among the jobs of the set-up.
@@ -118,10 +118,14 @@ impl Grip {
 
     /// What the jaws must press with for a job alone; none if its forces are not known.
     pub fn required_by(&self, job: &Job) -> Option<Newtons> {
-        let slips = self.safety * pull(job, self.grips_mm)? / self.friction;
-        let middle = self.front.to_mm() + self.over.to_mm() / 2.0;
-        let tips = tips(job, middle, self.ahead).filter(|_| self.tips_n_m.is_some());
-        Some(Newtons(slips.max(tips.map_or(0.0, |moment| self.safety * moment.0 * 1000.0 / self.seat_mm))))
+        let tips = tips(job, middle_mm(self.front, self.over), self.ahead).filter(|_| self.tips_n_m.is_some());
+        Some(self.required(pull(job, self.grips_mm)?, tips))
+    }
+
+    /// What the jaws must press with against a pull, N, and a moment that tips the part.
+    fn required(&self, pull: f64, tips: Option<NewtonMetres>) -> Newtons {
+        let upright = tips.map_or(0.0, |moment| self.safety * moment.0 * 1000.0 / self.seat_mm);
+        Newtons((self.safety * pull / self.friction).max(upright))
     }
 
     /// What jaws hold, as a limit of the cuts: the force of the chuck, or what the wall of the part bears of it; none where neither is
@@ -142,7 +146,7 @@ impl Grip {
             return Ok(None);
         };
         let tips = TipLimit {
-            lever_mm: jaws.front_mm.to_mm() + jaws.length_mm.to_mm() / 2.0,
+            lever_mm: middle_mm(jaws.front_mm, jaws.length_mm),
             most: NewtonMetres(given.0 * seat_mm / safety / 1000.0),
         };
         let most = Newtons(given.0 * friction / safety);
@@ -278,6 +282,11 @@ impl Held {
     fn seat_mm(&self, jaws: &Jaws) -> f64 {
         (jaws.length_mm.to_mm() + self.friction * jaws.grips_mm.to_mm()) / (2.0 * libm::sqrt(3.0))
     }
+}
+
+/// Z of the middle of the grip, mm.
+fn middle_mm(front: Half, over: Half) -> f64 {
+    front.to_mm() + over.to_mm() / 2.0
 }
 
 /// The moment with which a job tips the part around the middle of the grip, where it cuts farthest out of it: facing begins at the end

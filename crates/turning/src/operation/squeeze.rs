@@ -3,11 +3,12 @@
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
 use crate::note::{Finding, Note, Severity};
-use crate::tables::lathes::{LatheWorkholding, WorkholdingFigure};
+use crate::tables::lathes::WorkholdingFigure;
 use crate::turning::contour::{Contour, SurfaceName};
 use crate::turning::cutting::{PartSection, PressedRing};
 use crate::turning::jobs::Job;
 use crate::turning::length::Half;
+use crate::turning::tooling::figure;
 use crate::turning::zones::SetUp;
 use crate::units::{ItGrade, Micrometres, Newtons};
 use technolog_core::part::tolerance_width;
@@ -69,6 +70,7 @@ impl Squeeze {
         let ends = cuts.windows(2).filter(|ends| ends[0] < ends[1]);
         let within: Vec<_> = ends.flat_map(|ends| stretches(&outside, ends[0].max(from), ends[1].min(to))).collect();
         let wall = radius - hollow;
+        let keeps = figure(WorkholdingFigure::WallKeepsShape, bench.knowledge)? * wall.to_mm();
         let mut sections = Vec::new();
         let mut stiffer = 1.0_f64;
         for (near, far, (radius_there, _)) in within {
@@ -78,7 +80,7 @@ impl Squeeze {
             }
             let beside = far <= front || near >= back;
             // What is thick beside the jaws does not share their force, but keeps the shape of the wall.
-            if beside && radius_there - inside >= Half::new(wall.halves() * THICK) {
+            if beside && (radius_there - inside).to_mm() >= keeps {
                 let distance = if far <= front { back - far } else { near - front };
                 let [radius, hollow, distance] = [radius, hollow, distance].map(Half::to_mm);
                 stiffer = stiffer.max(PressedRing::stiffened(radius, hollow, distance));
@@ -155,20 +157,14 @@ fn hardest(grip: &Grip, jobs: &[Job]) -> Option<Newtons> {
     jobs.iter().filter_map(|job| grip.required_by(job)).max_by(|one, other| one.0.total_cmp(&other.0))
 }
 
-/// From how many times the thinnest wall on a stretch keeps its shape: by the third power 27 times as stiff.
-const THICK: i64 = 3;
-
 /// Half of the angle over which a jaw touches, degrees: hard jaws with their edges only, soft ones over their width, full-grip ones
 /// nearly all around.
 fn contact(jaws: &Jaws, knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
-    let of = |name: WorkholdingFigure| -> Result<f64, KnowledgeError> {
-        Ok(knowledge.need(name.name(), |row: &LatheWorkholding<'_>| row.name.is(name))?.value)
-    };
-    let full = of(WorkholdingFigure::FullGripArc)? / 2.0;
+    let full = figure(WorkholdingFigure::FullGripArc, knowledge)? / 2.0;
     Ok(match jaws.body {
         _ if jaws.full => full,
         Some(body) if jaws.soft => {
-            let width = of(WorkholdingFigure::JawWidthShare)? * body.chuck_mm.to_mm();
+            let width = figure(WorkholdingFigure::JawWidthShare, knowledge)? * body.chuck_mm.to_mm();
             libm::asin((width / jaws.grips_mm.to_mm()).min(1.0)).to_degrees().min(full)
         }
         _ => 0.0,
@@ -183,9 +179,7 @@ fn tightest(
     bench: &Bench<'_, '_>,
 ) -> Result<Option<(SurfaceName, Micrometres)>, KnowledgeError> {
     let Some(inner) = &set_up.inner else { return Ok(None) };
-    let name = WorkholdingFigure::UnsaidGrade;
-    let unsaid = bench.knowledge.need(name.name(), |row: &LatheWorkholding<'_>| row.name.is(name))?.value;
-    let unsaid = ItGrade::new(unsaid as u8);
+    let unsaid = ItGrade::new(figure(WorkholdingFigure::UnsaidGrade, bench.knowledge)? as u8);
     let mut tightest: Option<(SurfaceName, Micrometres)> = None;
     for surface in &inner.profile.surfaces {
         let ground = bench.elsewhere.iter().any(|one| one.surface == surface.name);

@@ -9,4 +9,5 @@ mod workholding;
 
 pub use lathe::{Lathe, Share, Spindle};
 pub use tool::{Hand, Place, Shank, ToolKind, TurningTool};
+pub(crate) use workholding::figure;
 pub use workholding::{Seconds, Workholding};

@@ -86,7 +86,11 @@ impl Seconds {
     }
 }
 
-fn figure(name: Figure, knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
+/// One figure of the table.
+///
+/// # Errors
+/// The knowledge base lacks that table, or its row.
+pub(crate) fn figure(name: Figure, knowledge: &Knowledge) -> Result<f64, KnowledgeError> {
     Ok(knowledge.need(name.name(), |row: &LatheWorkholding<'_>| row.name.is(name))?.value)
 }
 

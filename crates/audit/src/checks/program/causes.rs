@@ -90,7 +90,7 @@ impl FindingFacts {
         match &fault.subject {
             Some(Subject::Tool(number)) => _ = figures.insert(Name::Tool, DeviationFigure::Count(*number)),
             Some(Subject::Function(name)) => function = Some(name.clone()),
-            None => {}
+            Some(Subject::Missing(_)) | None => {}
         }
         // What is doubtful of another machine stops nothing.
         let broken = fault.is_error() && finding.severity == Severity::Error;
