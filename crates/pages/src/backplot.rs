@@ -253,8 +253,19 @@ fn extent(panels: &[Panel<'_>], frame: Option<&Frame<'_>>) -> Option<Extent> {
         let both = extent.with(other);
         both.across() <= 2.0 * extent.across() && both.up() <= 2.0 * extent.up()
     };
+    // What stands over the edge of the part is shown whole where that leaves the part its room.
+    let standing = frame.into_iter().flat_map(|frame| &frame.standing).flat_map(|(_, one)| corners(&one.outline));
+    let extent = Extent::of(standing).filter(|own| near(*own)).map_or(extent, |standing| extent.with(standing));
     let changes = Extent::of(panels.iter().filter_map(|panel| panel.change));
     Some(changes.filter(|changes| near(*changes)).map_or(extent, |changes| extent.with(changes)))
+}
+
+/// The lowest and the highest corner of what an outline covers, mm.
+fn corners(outline: &Outline) -> [(f64, f64); 2] {
+    match *outline {
+        Outline::Round(at, radius) => [-radius, radius].map(|off| ((at.x + off).to_mm(), (at.y + off).to_mm())),
+        Outline::Box(low, high) => [low, high].map(|at| (at.x.to_mm(), at.y.to_mm())),
+    }
 }
 
 fn draw(

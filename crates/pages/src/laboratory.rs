@@ -13,8 +13,8 @@ use crate::knowledge::Knowledge;
 use crate::machine::Machine;
 use crate::motion::MotionStep;
 use crate::note::{Finding, Note};
-use crate::part::{CentreTolerance, Hole, HoleStep};
-use crate::plan::{HolePlan, Plan, Transition};
+use crate::part::{BlankHole, CentreTolerance, Hole, HoleStep};
+use crate::plan::{Feature, HolePlan, Plan, Transition};
 use crate::program::Setting;
 use crate::units::Micrometres;
 use crate::zone::mass;
@@ -243,11 +243,21 @@ fn size(hole: &Hole, lang: Lang) -> String {
 
 /// What else the drawing asks of a hole: steps, openings, edges, and the tolerance of its place.
 fn more(hole: &Hole, lang: Lang) -> Vec<String> {
-    let step = |step: &HoleStep| match &step.thread {
-        Some(thread) => say!(lang, "lab-step-of", size = thread.written.as_str(), depth = step.depth),
-        None => say!(lang, "lab-step-of", size = &step.diameter, depth = step.depth),
+    let step = |step: &HoleStep| {
+        let own = match &step.thread {
+            Some(thread) => say!(lang, "lab-step-of", size = thread.written.as_str(), depth = step.depth),
+            None => say!(lang, "lab-step-of", size = &step.diameter, depth = step.depth),
+        };
+        let rough = step.thread.is_none().then(|| lang.figure(&crate::note::IntoFigure::into_figure(step.roughness)));
+        let edge = step.chamfer.map(|chamfer| say!(lang, "lab-chamfer", chamfer = chamfer));
+        std::iter::once(own).chain(rough).chain(edge).collect::<Vec<_>>().join(", ")
     };
-    let mut all: Vec<String> = hole.steps.iter().map(step).collect();
+    let mut all: Vec<String> = match hole.state {
+        BlankHole::Solid => Vec::new(),
+        BlankHole::Cast(diameter) => vec![say!(lang, "lab-cast", diameter = diameter)],
+        BlankHole::PreMachined(diameter) => vec![say!(lang, "lab-pre-machined", diameter = diameter)],
+    };
+    all.extend(hole.steps.iter().map(step));
     if let Some(own) = hole.counterbore {
         all.push(say!(lang, "lab-counterbore", diameter = own.diameter, depth = own.depth));
     }
@@ -282,7 +292,11 @@ fn blank(page: &mut Document, plan: &Plan, knowledge: &Knowledge, lang: Lang) ->
     sheet::head(page, plan, knowledge, lang);
     if let Some(mass) = mass(&plan.part, knowledge)? {
         let told = limits::weight(mass, lang).plain();
-        let key = if plan.part.mass_kg.is_some() { "lab-blank-mass" } else { "lab-plate-mass" };
+        let key = match plan.part.mass_kg {
+            Some(_) => "lab-blank-mass",
+            None if plan.part.blank.is_round() => "lab-disc-mass",
+            None => "lab-plate-mass",
+        };
         page.paragraph(lang.say(&Note::new(key).with("mass", told)));
     }
     Ok(())
@@ -299,8 +313,12 @@ fn allowances(page: &mut Document, plan: &Plan, lang: Lang) {
         Column::number(say!(lang, "lab-allowance"), mm),
     ]);
     for hole in &plan.holes {
-        let widened =
-            |own: &&Transition| own.from_diameter_mm > Micrometres::ZERO && own.from_diameter_mm < own.diameter_mm;
+        // A chamfer and a face have no stock on the diameter: theirs lies along the axis.
+        let widened = |own: &&Transition| {
+            own.from_diameter_mm > Micrometres::ZERO
+                && own.from_diameter_mm < own.diameter_mm
+                && !matches!(own.feature, Feature::Face | Feature::Chamfer | Feature::Countersink)
+        };
         for own in hole.transitions.iter().filter(widened) {
             let figures = [own.from_diameter_mm, own.diameter_mm, own.diameter_mm - own.from_diameter_mm];
             let figures = figures.map(|figure| Inlines::number(self::mm(figure, lang)));
@@ -334,7 +352,9 @@ fn step(own: &Transition, lang: Lang) -> String {
     let reached = route::achieved(own.achieved.as_ref(), lang);
     let reached = if reached.is_empty() { String::new() } else { say!(lang, "lab-reaches", reached = reached) };
     let where_ = if own.elsewhere { say!(lang, "lab-elsewhere") } else { "" };
-    say!(lang, "lab-step", what = what, diameter = own.diameter_mm, reached = reached, elsewhere = where_)
+    let key = if own.feature == Feature::Face { "lab-step-face" } else { "lab-step" };
+    let note = Note::new(key).with("what", what).with("diameter", own.diameter_mm);
+    lang.say(&note.with("reached", reached).with("elsewhere", where_))
 }
 
 /// The position of table and quill while a tool is changed.

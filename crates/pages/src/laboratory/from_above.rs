@@ -98,6 +98,21 @@ pub(super) fn drawing(part: &Part, lang: Lang) -> String {
         }
     }
     for hole in &part.holes {
+        let Some((centre, diameter)) = circle_of_centres(hole, part) else { continue };
+        let (centre, radius) = (plate.at(centre), diameter.to_mm() / 2.0 * plate.scale);
+        canvas.circle(centre, radius, "none", Some(AXIS));
+        let text = format!("Ø{}", mm(diameter, lang));
+        let around = (0..EIGHTHS).map(|number| {
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * (f64::from(number) + 0.5) / f64::from(EIGHTHS));
+            (centre.0 + radius * cos, centre.1 + radius * sin)
+        });
+        // Where no hole and no other size stands.
+        if let Some(place) = around.into_iter().find_map(|at| labels.free(at, 0.0, &text)) {
+            labels.taken.push((place, width_of(&text, SIZE)));
+            canvas.text(place, SIZE, Anchor::Start, &text);
+        }
+    }
+    for hole in &part.holes {
         // The size stands once, at the first hole of a group that has room for it.
         let mut sized = Some(group(hole, lang)).filter(|_| hole.slot.is_none());
         let mut unnamed = true;
@@ -195,6 +210,44 @@ fn fits(chain: &[(Micrometres, Micrometres)], scale: f64, lang: Lang) -> bool {
         let is_drawn = link.micrometres() % 100 == 0;
         is_drawn && link.to_mm() * scale >= width_of(&mm(link, lang), SIZE) + 8.0
     })
+}
+
+/// Places around a circle of centres where its size may stand.
+const EIGHTHS: u8 = 24;
+/// Coordinates worked out from a circle are rounded to micrometres.
+const ROUNDING_MM: f64 = 0.002;
+/// So many holes evenly about a centre are drawn on a circle; fewer may as well be the corners of a rectangle.
+const ON_A_CIRCLE: usize = 5;
+
+/// The circle on which the centres of a group lie, with its diameter: on a disc about its axis, elsewhere where they are evenly
+/// spaced.
+fn circle_of_centres(hole: &Hole, part: &Part) -> Option<(Point, Micrometres)> {
+    let points: Vec<At> = hole.at.iter().map(|at| (at.x.to_mm(), at.y.to_mm())).collect();
+    let count = points.len();
+    let about = |(x, y): At| -> Option<f64> {
+        let radii = points.iter().map(|at| libm::hypot(at.0 - x, at.1 - y));
+        let first = radii.clone().next().filter(|first| *first > ROUNDING_MM)?;
+        radii.clone().all(|radius| (radius - first).abs() <= ROUNDING_MM).then_some(first)
+    };
+    let circle = |centre: Point, radius: f64| (centre, Micrometres::from_mm_rounded((200.0 * radius).round() / 100.0));
+    if part.blank.is_round() {
+        let axis = part.middle();
+        return (count > 1 && hole.slot.is_none())
+            .then(|| about((axis.x.to_mm(), axis.y.to_mm())))?
+            .map(|radius| circle(axis, radius));
+    }
+    if count < ON_A_CIRCLE || hole.slot.is_some() {
+        return None;
+    }
+    let middle = |along: fn(&At) -> f64| points.iter().map(along).sum::<f64>() / count as f64;
+    let (x, y) = (middle(|at| at.0), middle(|at| at.1));
+    let radius = about((x, y))?;
+    let mut angles: Vec<f64> = points.iter().map(|at| libm::atan2(at.1 - y, at.0 - x)).collect();
+    angles.sort_by(f64::total_cmp);
+    let even = std::f64::consts::TAU / count as f64;
+    let is_even = angles.windows(2).all(|pair| ((pair[1] - pair[0] - even) * radius).abs() <= 2.0 * ROUNDING_MM);
+    let centre = Point { x: Micrometres::from_mm_rounded(x), y: Micrometres::from_mm_rounded(y) };
+    is_even.then(|| circle(centre, radius))
 }
 
 /// Where names stand, and what they must not stand on.

@@ -216,6 +216,7 @@ fn content(plan: &Plan, hole_plan: &HolePlan, transition: &Transition, lang: Lan
         Operation::CentreDrill => "plan-step-spot",
         // A mill that widens nothing levels the floor.
         Operation::Mill if transition.from_diameter_mm == transition.diameter_mm => "plan-step-floor",
+        _ if transition.feature == Feature::Face => "plan-step-face",
         _ if finishes(hole, transition) => "plan-step",
         _ => "plan-step-to",
     };

@@ -44,6 +44,10 @@ plan-step-floor = { $verb } the floor of { $count } { $count ->
     [one] hole
    *[other] holes
 } { $size } ({ $hole }), Ø{ $diameter }
+plan-step-face = { $verb } face Ø{ $diameter } at { $count } { $count ->
+    [one] hole
+   *[other] holes
+} { $size } ({ $hole })
 plan-step-slot = { $verb } slot { $size } ({ $hole }) to a width of { $width }
 plan-step-pocket = { $verb } pocket { $size } ({ $hole }) to a width of { $width }
 plan-pocket-size = { $width } × { $length } R{ $corner }

@@ -32,6 +32,7 @@ plan-step = { $verb } { $count } отв. { $size } ({ $hole })
 plan-step-to = { $verb } { $count } отв. { $size } ({ $hole }) до Ø{ $diameter }
 plan-step-spot = { $verb } { $count } отв. { $size } ({ $hole }), витримуючи Ø{ $diameter }
 plan-step-floor = { $verb } дно { $count } отв. { $size } ({ $hole }), Ø{ $diameter }
+plan-step-face = { $verb } торець Ø{ $diameter } { $count } отв. { $size } ({ $hole })
 plan-step-slot = { $verb } паз { $size } ({ $hole }) до ширини { $width }
 plan-step-pocket = { $verb } кишеню { $size } ({ $hole }) до ширини { $width }
 plan-pocket-size = { $width } × { $length } R{ $corner }
