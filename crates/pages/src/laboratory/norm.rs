@@ -19,6 +19,10 @@ pub(super) fn section(page: &mut Document, own: &Sources<'_>, lang: Lang) {
         return;
     };
     elements(page, norm, true, own.knowledge, lang);
+    let is_indicated = |set_up| own.plan.zero_axis(set_up).is_some() && own.plan.zero_pin(set_up).is_none();
+    if own.plan.setup.stands.iter().any(|stand| is_indicated(stand.set_up)) {
+        page.paragraph(say!(lang, "norm-indicating"));
+    }
 }
 
 /// The elements of a norm, and the formulas with their figures; a lot that could be given is asked for.

@@ -7,6 +7,7 @@ norm-gauging-meanwhile = Gauging goes on while the machine makes the next part: 
 norm-preparatory-is = Tset = { $preparatory } min for a lot.
 norm-with-lot = For a lot of { $lot } with its share of the preparation: Tpiece + Tset/n = { $piece } + { $preparatory }/{ $lot } = { $with } min.
 norm-no-lot = How many parts a lot has is not given (`lot` in the title block), so Tset is not shared among them.
+norm-indicating = The axis of each part is found with an indicator: no table at hand has a time for it, so it is not in the norm.
 norm-unconfirmed = Times marked * rest on figures that no source confirms for such a machine; a norm of the shop goes before them.
 norm-element = Element
 norm-each = Each
