@@ -113,6 +113,8 @@ pub struct RowData<'t> {
     #[serde(skip_serializing_if = "Option::is_none")]
     unconfirmed: Option<&'t str>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    choice: Option<&'t str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     corrections: Option<Corrections<'t>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<&'t str>,
@@ -128,7 +130,8 @@ impl<'t> RowData<'t> {
             source: content.source.to_string(),
             place: row.place(),
             reason: content.reason.as_deref(),
-            unconfirmed: content.unconfirmed.as_deref(),
+            unconfirmed: content.unconfirmed.as_deref().filter(|_| !content.is_choice),
+            choice: content.unconfirmed.as_deref().filter(|_| content.is_choice),
             corrections: (!content.corrections.is_empty()).then_some(Corrections(row)),
             note: content.note.as_deref(),
             priority: content.priority,

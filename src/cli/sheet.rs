@@ -132,7 +132,7 @@ fn width(heads: &[Head], cells: &[Vec<Inlines>]) -> usize {
     heads.iter().enumerate().map(|one| column(one) + 3).sum::<usize>() + 6
 }
 
-/// The marks beside the number of a row: `*` for a correction, `?` for a figure that is not confirmed.
+/// The marks beside the number of a row: `*` for a correction, `?` for what nobody has confirmed, a choice of ours too.
 fn marks(row: &Row) -> String {
     let corrected = if row.corrections.is_empty() { "" } else { "*" };
     let unconfirmed = if row.unconfirmed.is_some() { "?" } else { "" };
@@ -210,7 +210,10 @@ pub fn row_remarks(page: &mut Document, rows: &[RowRef<'_>], lang: Lang) {
     let one =
         |text: &Option<String>| -> Vec<String> { text.iter().map(|text| lang.remark(text).into_owned()).collect() };
     by_rows(page, rows, "cli-corrections", lang, &corrections);
-    by_rows(page, rows, "cli-unconfirmed", lang, &|row| one(&row.unconfirmed));
+    let doubted =
+        |row: &Row, as_choice: bool| if row.is_choice == as_choice { one(&row.unconfirmed) } else { Vec::new() };
+    by_rows(page, rows, "cli-unconfirmed", lang, &|row| doubted(row, false));
+    by_rows(page, rows, "cli-choices", lang, &|row| doubted(row, true));
     by_rows(page, rows, "cli-reasons", lang, &|row| one(&row.reason));
     by_rows(page, rows, "cli-places", lang, &|row| row.place.iter().map(|place| lang.place(place)).collect());
     by_rows(page, rows, "cli-row-notes", lang, &|row| one(&row.note));

@@ -186,7 +186,7 @@ fn column_json<'t>(column: &'t Column, context: &Context) -> ColumnJson<'t> {
 
 fn table_rows(table: &Table) -> Vec<Vec<String>> {
     let names = table.columns.iter().map(|column| column.name.as_str());
-    let head = names.chain(["source", "place", "reason", "unconfirmed", "note"]).map(str::to_owned).collect();
+    let head = names.chain(["source", "place", "reason", "unconfirmed", "choice", "note"]).map(str::to_owned).collect();
     let mut rows = vec![head];
     for row in table.all_rows() {
         let content = row.row();
@@ -194,7 +194,9 @@ fn table_rows(table: &Table) -> Vec<Vec<String>> {
             table.columns.iter().zip(&content.cells).map(|(column, cell)| record::cell(column, cell)).collect();
         cells.push(content.source.to_string());
         cells.push(row.place().to_owned());
-        for about in [&content.reason, &content.unconfirmed, &content.note] {
+        let (unconfirmed, choice) =
+            if content.is_choice { (&None, &content.unconfirmed) } else { (&content.unconfirmed, &None) };
+        for about in [&content.reason, unconfirmed, choice, &content.note] {
             cells.push(about.clone().unwrap_or_default());
         }
         rows.push(cells);

@@ -34,7 +34,7 @@ const COLUMN: &[&str] = &[
     "refers",
 ];
 /// The keys of a row that are not columns.
-const ROW: &[&str] = &["source", "place", "reason", "unconfirmed", "corrections", "note", "priority"];
+const ROW: &[&str] = &["source", "place", "reason", "unconfirmed", "choice", "corrections", "note", "priority"];
 
 /// Reads a table from the text of its file.
 ///
@@ -397,6 +397,14 @@ impl Loader<'_> {
         let place = fields.take("place").and_then(|node| self.owned(node));
         let reason = fields.take("reason").and_then(|node| self.owned(node));
         let unconfirmed = fields.take("unconfirmed").and_then(|node| self.owned(node));
+        let choice = fields.take("choice").and_then(|node| self.owned(node));
+        // A figure of a source was not chosen here, and what the world could prove wrong is no choice.
+        if choice.is_some() && (unconfirmed.is_some() || source.is_some_and(|source| source != Source::Reconstructed)) {
+            let message = note!("table-choice-is-reconstructed-alone");
+            self.problems.error::<()>("bad-value", message, fields.place);
+        }
+        let is_choice = choice.is_some();
+        let unconfirmed = unconfirmed.or(choice);
         let corrections = fields.take("corrections").map(|node| self.corrections(node, columns)).unwrap_or_default();
         let note = fields.take("note").and_then(|node| self.owned(node));
         let priority_node = fields.take("priority");
@@ -415,7 +423,19 @@ impl Loader<'_> {
         if !sound {
             return None;
         }
-        Some(Row { cells, source: source?, place, reason, unconfirmed, corrections, note, priority, line, places })
+        Some(Row {
+            cells,
+            source: source?,
+            place,
+            reason,
+            unconfirmed,
+            is_choice,
+            corrections,
+            note,
+            priority,
+            line,
+            places,
+        })
     }
 
     fn cell(&mut self, node: Option<&Node>, column: &Column, row: &Place) -> Option<Cell> {

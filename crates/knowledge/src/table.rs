@@ -108,8 +108,10 @@ pub struct Row {
     pub place: Option<String>,
     /// The data from which it was inferred.
     pub reason: Option<String>,
-    /// Why it is not fully trusted.
+    /// Why it is not fully trusted: what of it nothing confirms or, where `is_choice`, what of it is chosen here.
     pub unconfirmed: Option<String>,
+    /// It is doubted as a choice of ours, which no page could confirm, and not as a figure of the world.
+    pub is_choice: bool,
     /// Figures printed wrongly.
     pub corrections: Vec<Correction>,
     /// A remark for readers.

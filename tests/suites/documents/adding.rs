@@ -89,15 +89,17 @@ fn holds_its_tables(title: &str, bench: &Bench, own: &Knowledge) {
 /// The line of counts of a table, as `docs/provenance.md` writes it.
 fn counts(table: &Table) -> String {
     let of = |source: Source| table.rows.iter().filter(|row| row.source == source).count();
+    let choices = table.rows.iter().filter(|row| row.is_choice).count();
     format!(
-        "`{} · rows {} · seed {} · standard {} · reconstructed {} · unconfirmed {} · corrected {}`",
+        "`{} · rows {} · seed {} · standard {} · reconstructed {} · unconfirmed {} · corrected {}{}`",
         table.id,
         table.rows.len(),
         of(Source::Seed),
         of(Source::Standard),
         of(Source::Reconstructed),
-        table.rows.iter().filter(|row| row.unconfirmed.is_some()).count(),
+        table.rows.iter().filter(|row| row.unconfirmed.is_some()).count() - choices,
         table.rows.iter().filter(|row| !row.corrections.is_empty()).count(),
+        if choices > 0 { format!(" · choices {choices}") } else { String::new() },
     )
 }
 

@@ -80,3 +80,19 @@ fn the_page_of_hand_plans_has_the_figures_of_today() {
     }
     assert!(update || differs.is_empty(), "old, UPDATE_DOCS=1 writes it anew:\n{}", differs.join("\n"));
 }
+
+#[test]
+fn the_differences_name_no_spindle_speed_that_their_table_lacks() {
+    let page = fs::read_to_string(root().join("docs/hand-plans.md")).unwrap();
+    let sections: Vec<(&str, &str)> =
+        page.split("\n## ").filter_map(|section| section.split_once("\nDifferences:")).collect();
+    assert_eq!(sections.len(), 10);
+    for (table, prose) in sections {
+        let figures: Vec<&str> = table.split(|letter: char| !letter.is_ascii_digit() && letter != '.').collect();
+        let before = prose.split(" 1/min").collect::<Vec<_>>();
+        for speed in before[..before.len() - 1].iter().filter_map(|text| text.rsplit(' ').next()) {
+            let title = table.lines().next().unwrap_or_default();
+            assert!(figures.contains(&speed), "{title}: {speed} 1/min is of another day");
+        }
+    }
+}

@@ -21,6 +21,9 @@ use technolog_testing::number;
 /// What the first word after a name's `·` can be; no other text in back quotes has it.
 const FIRST: [&str; 2] = [" · rows ", " · tables "];
 
+/// What a choice of ours is counted as; a line without one has no such word.
+const CHOICES: &str = "choices";
+
 fn page() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/provenance.md")
 }
@@ -31,8 +34,8 @@ fn knowledge() -> Knowledge {
 
 /// The counts of some tables, as the page writes them.
 fn counts<'t>(tables: impl Iterator<Item = &'t Table>) -> String {
-    let mut sums: [(&str, usize); 6] =
-        [("rows", 0), ("seed", 0), ("standard", 0), ("reconstructed", 0), ("unconfirmed", 0), ("corrected", 0)];
+    let mut sums =
+        ["rows", "seed", "standard", "reconstructed", "unconfirmed", "corrected", CHOICES].map(|name| (name, 0_usize));
     for row in tables.flat_map(|table| &table.rows) {
         let of = |source: Source| usize::from(row.source == source);
         let adds = [
@@ -40,14 +43,17 @@ fn counts<'t>(tables: impl Iterator<Item = &'t Table>) -> String {
             of(Source::Seed),
             of(Source::Standard),
             of(Source::Reconstructed),
-            usize::from(row.unconfirmed.is_some()),
+            usize::from(row.unconfirmed.is_some() && !row.is_choice),
             usize::from(!row.corrections.is_empty()),
+            usize::from(row.is_choice),
         ];
         for ((_, sum), add) in sums.iter_mut().zip(adds) {
             *sum += add;
         }
     }
-    sums.iter().map(|(name, sum)| format!(" · {name} {sum}")).collect()
+    // Few tables have choices.
+    let told = sums.iter().filter(|(name, sum)| *name != CHOICES || *sum > 0);
+    told.map(|(name, sum)| format!(" · {name} {sum}")).collect()
 }
 
 /// The right line of counts of a name, if it names a table, a folder or all of them.

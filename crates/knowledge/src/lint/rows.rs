@@ -31,7 +31,8 @@ const NOTHING: &str = "nothing at hand confirms";
 fn marks(table: &Table, findings: &mut Vec<Diagnostic>) {
     for (row, content) in table.rows.iter().enumerate() {
         let admits = content.reason.as_deref().is_some_and(|reason| reason.contains(NOTHING));
-        if admits && content.unconfirmed.is_none() {
+        // A choice cannot be confirmed: who looked for a page held it for a figure of the world.
+        if admits && (content.unconfirmed.is_none() || content.is_choice) {
             let message = note!("lint-table-row-reason-says-has", table = table.id, row = row + 1, phrase = NOTHING);
             findings.push(
                 Diagnostic::error("no-mark", message, row_place(table, row))

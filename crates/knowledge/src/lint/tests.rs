@@ -108,6 +108,9 @@ fn a_sound_base_has_no_findings() {
     assert_eq!(found("", "", ""), []);
 }
 
+/// A row that does not load takes its table away, and what names the table is left without it.
+const UNREAD: &[(&str, u32)] = &[("bad-value", 13), ("dangling-reference", 0)];
+
 #[test]
 fn every_planted_defect_is_found_at_its_line() {
     let rule = "rules/rule.yaml";
@@ -169,6 +172,26 @@ fn every_planted_defect_is_found_at_its_line() {
             "scheme: \"01\", source: seed",
             "scheme: \"01\", source: reconstructed, reason: \"nothing at hand confirms it\", unconfirmed: \"memory\"",
             &[],
+        ),
+        // A figure that somebody looked for is no choice; neither is one of a source, nor one that is unconfirmed as well.
+        (
+            rule,
+            "scheme: \"01\", source: seed",
+            "scheme: \"01\", source: reconstructed, reason: \"nothing at hand confirms it\", choice: \"ours\"",
+            &[("no-mark", 13)],
+        ),
+        (
+            rule,
+            "scheme: \"01\", source: seed",
+            "scheme: \"01\", source: reconstructed, reason: \"half is kept free\", choice: \"ours\"",
+            &[],
+        ),
+        (rule, "scheme: \"01\", source: seed", "scheme: \"01\", source: seed, choice: \"ours\"", UNREAD),
+        (
+            rule,
+            "scheme: \"01\", source: seed",
+            "scheme: \"01\", source: reconstructed, reason: \"half\", choice: \"ours\", unconfirmed: \"memory\"",
+            UNREAD,
         ),
         ("rules/rule.test.yaml", "scheme: \"01\"", "scheme: \"02\"", &[("failed-example", 3)]),
         ("rules/rule.test.yaml", "expect: none", "expect: {scheme: \"03\"}", &[("failed-example", 4)]),

@@ -22,6 +22,7 @@ cli-optional = not in every row
 cli-list = list
 cli-corrections = Corrected (*): the source prints otherwise
 cli-unconfirmed = Unconfirmed (?)
+cli-choices = Choices of ours (?)
 cli-reasons = Reconstructed from
 cli-places = Place in the source, where another
 cli-row-notes = Notes on rows

@@ -18,6 +18,7 @@ table-unit = its unit is { $fitting }
 table-row-has-no-source = the row has no `source`
 table-say-source-seed-standard-reconstructed = set `source: seed`, `standard` or `reconstructed`
 table-priority-belongs-every-row-table = `priority` belongs to every row of a table with `hit: priority`, and to no other
+table-choice-is-reconstructed-alone = `choice` is for what was chosen here: the row is `source: reconstructed` and has no `unconfirmed`; a figure that a page could confirm is `unconfirmed`
 table-reconstructed-row-must-say-from = a reconstructed row must say from what: give `reason`
 table-row-has-no = the row has no `{ $column }`
 table-column = column `{ $column }`: { $message }

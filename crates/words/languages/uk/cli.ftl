@@ -22,6 +22,7 @@ cli-optional = не в кожному рядку
 cli-list = список
 cli-corrections = Виправлено (*): у джерелі надруковано інакше
 cli-unconfirmed = Не підтверджено (?)
+cli-choices = Вибрано нами (?)
 cli-reasons = З чого відновлено
 cli-places = Місце в джерелі, якщо інше
 cli-row-notes = Примітки до рядків

@@ -18,6 +18,7 @@ table-unit = її одиниця: { $fitting }
 table-row-has-no-source = рядок не має `source`
 table-say-source-seed-standard-reconstructed = задайте `source: seed`, `standard` чи `reconstructed`
 table-priority-belongs-every-row-table = `priority` має кожен рядок таблиці з `hit: priority`, а інші рядки його не мають
+table-choice-is-reconstructed-alone = `choice` – для того, що вибрано тут: такий рядок має `source: reconstructed` і не має `unconfirmed`; число, яке могла б підтвердити сторінка, – це `unconfirmed`
 table-reconstructed-row-must-say-from = відтворений рядок має казати, з чого його взято: додайте `reason`
 table-row-has-no = рядок не має `{ $column }`
 table-column = графа `{ $column }`: { $message }
