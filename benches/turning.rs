@@ -19,7 +19,7 @@ use technolog::turning::passes::optimum::CostToGo;
 use technolog::turning::point::Point;
 use technolog::turning::shaft::{Division, Shaft};
 use technolog::turning::transitions::{Feeds, Scheme, Settings, Stock, Tool, work};
-use technolog::turning::workpiece::read_workpiece;
+use technolog::turning::workpiece::read_turned;
 use technolog::units::{Degrees, MillimetresPerMinute};
 use technolog_testing::shafts;
 use technolog_testing::shafts::by_petgraph;
@@ -153,11 +153,11 @@ fn long_contours() {
         for size in [125, 250, 500, 1000] {
             let text = long(shape, size, bore);
             let elements = text.lines().filter(|line| line.starts_with("  - ")).count();
-            let workpiece = read_workpiece("long", &text, &knowledge).unwrap();
+            let workpiece = read_turned("long", &text, &knowledge).unwrap();
             let operation = plan(&workpiece, &knowledge).unwrap();
             let works: usize = operation.zones().map(|(_, _, zone)| zone.works.len()).sum();
             let json = serde_json::to_string(&operation).unwrap().len() as f64 / 1e6;
-            let read = milliseconds(|| read_workpiece("long", &text, &knowledge).unwrap().threads.len());
+            let read = milliseconds(|| read_turned("long", &text, &knowledge).unwrap().threads.len());
             let planned = milliseconds(|| plan(&workpiece, &knowledge).unwrap().findings.len());
             let written = milliseconds(|| serde_json::to_string(&operation).unwrap().len());
             println!("{name:<12} {elements:>8} {works:>6} {read:>9.1} {planned:>9.1} {written:>9.1} {json:>8.1}");

@@ -12,7 +12,6 @@ use technolog::note::Figure;
 use technolog::program::lathe::{
     LatheLanguage, LatheMotion, LatheRates, LatheTimes, Subprogram, is_serious, read, times, trace,
 };
-use technolog::turning::workpiece::Turned;
 use technolog::units::Minutes;
 use technolog::words::say;
 
@@ -41,7 +40,6 @@ pub fn run(args: &Args, control: &str, context: &Context) -> Result<Outcome, Cli
     let at_fault = |error: technolog::error::KnowledgeError| CliError::of_knowledge(&error, context.lang);
     let language = LatheLanguage::read(control, knowledge).map_err(at_fault)?;
     let part = args.part.as_ref().map(|part| turn::read(part, knowledge, context)).transpose()?;
-    let part = part.map(Turned::into_workpiece);
     // As for a mill, the machine of the part is meant where none is named, and no other than it.
     let of_part = part.as_ref().and_then(|part| part.machine.as_deref());
     let lathe = args.machine.as_deref().or(of_part).map(|id| control::lathe(id, knowledge, context)).transpose()?;

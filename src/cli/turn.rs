@@ -18,7 +18,7 @@ use technolog::turning::passes;
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::shaft::{Mistake, Moves, Shaft};
 use technolog::turning::ways;
-use technolog::turning::workpiece::{Drawings, Turned, Workpiece, files_named, read_turned_with};
+use technolog::turning::workpiece::{Drawings, Workpiece, files_named, read_turned_with};
 use technolog::units::{Micrometres, RevsPerMinute};
 use technolog::words::say;
 
@@ -151,7 +151,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     let format = context.format(command, formats)?;
     let knowledge = knowledge::load(context)?;
     let mut read = read(&args.shaft, knowledge, context)?;
-    if let (Turned::Stepped(shaft), Some(moves)) = (&mut read, args.moves) {
+    if let (Some(shaft), Some(moves)) = (&mut read.shaft, args.moves) {
         shaft.roughing.moves = if moves == MovesName::Rich { Moves::Rich } else { Moves::Basic };
     }
     if let Some(form) = args.show.program() {
@@ -167,42 +167,31 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             _ => turn_operation::tool_table(&operation, args.control, knowledge, context),
         };
     }
-    let shaft = match read {
-        Turned::Stepped(shaft) if matches!(args.show, Show::Operation | Show::Schemes) => {
-            return turn_operation::page(
-                &Workpiece::from(&shaft),
-                args.show == Show::Schemes,
-                knowledge,
-                format,
-                context,
-            );
-        }
-        Turned::Stepped(shaft) => shaft,
-        Turned::Contoured(_) if matches!(args.show, Show::Steps | Show::Map) => {
-            return Err(refused("only-for-steps", context));
-        }
-        Turned::Contoured(workpiece) => {
-            return turn_operation::page(&workpiece, args.show == Show::Schemes, knowledge, format, context);
-        }
+    let operation = || turn_operation::page(&read, args.show == Show::Schemes, knowledge, format, context);
+    let shaft = match &read.shaft {
+        _ if matches!(args.show, Show::Operation | Show::Schemes) => return operation(),
+        Some(shaft) => shaft,
+        None if matches!(args.show, Show::Steps | Show::Map) => return Err(refused("only-for-steps", context)),
+        None => return operation(),
     };
-    let objective = objective(args, &shaft, context)?;
+    let objective = objective(args, shaft, context)?;
     if args.show == Show::Map {
-        let map = passes::map::map(&shaft, objective);
+        let map = passes::map::map(shaft, objective);
         match format {
             Format::Json => context.emit_json(&map)?,
             Format::Yaml => context.emit_yaml(&map)?,
-            Format::Svg => context.emit_cleaned(&report::turning::map_drawing(&shaft, &map, context.lang))?,
+            Format::Svg => context.emit_cleaned(&report::turning::map_drawing(&read.name, &map, context.lang))?,
             _ => {
-                let page = report::turning::map_page(&shaft, &map, context.lang);
+                let page = report::turning::map_page(&read.name, &map, context.lang);
                 drawn(page, format, context, "turn-map-figure", |lang| {
-                    report::turning::map_drawing(&shaft, &map, lang)
+                    report::turning::map_drawing(&read.name, &map, lang)
                 })?;
             }
         }
         return Ok(Outcome::Done);
     }
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let found = ways::find(&shaft, objective, knowledge).map_err(lacking)?;
+    let Some(found) = ways::find(&read, objective, knowledge).map_err(lacking)? else { return operation() };
     match format {
         Format::Json => context.emit_json(&found)?,
         Format::Yaml => context.emit_yaml(&found)?,
@@ -219,25 +208,17 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
 }
 
 /// The operation whose programs are written.
-fn operation_of(read: &Turned, args: &Args, knowledge: &Knowledge, context: &Context) -> Result<Operation, CliError> {
-    match (read, args.variant) {
-        (Turned::Stepped(shaft), Some(way)) => by_way(shaft, way, args, knowledge, context),
-        (Turned::Contoured(_), Some(_)) => Err(refused("only-for-steps", context)),
-        (Turned::Stepped(shaft), None) => turn_operation::plan(&Workpiece::from(shaft), knowledge, context),
-        (Turned::Contoured(workpiece), None) => turn_operation::plan(workpiece, knowledge, context),
-    }
-}
-
-/// The operation of a shaft that is roughed by one of its ways.
-fn by_way(
-    shaft: &Shaft,
-    way: WayName,
+fn operation_of(
+    read: &Workpiece,
     args: &Args,
     knowledge: &Knowledge,
     context: &Context,
 ) -> Result<Operation, CliError> {
+    let Some(way) = args.variant else { return turn_operation::plan(read, knowledge, context) };
+    let only = || refused("only-for-steps", context);
+    let aim = objective(args, read.shaft.as_ref().ok_or_else(only)?, context)?;
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let ways = ways::find(shaft, objective(args, shaft, context)?, knowledge).map_err(lacking)?;
+    let ways = ways::find(read, aim, knowledge).map_err(lacking)?.ok_or_else(only)?;
     let taken = ways.ways.iter().find(|one| one.name == way.name());
     if let Some(why) = taken.and_then(|one| one.refused.as_ref()) {
         let told = say!(context.lang, "turn-ways-refused", way = Figure::word(way.name()), why = why);
@@ -293,7 +274,7 @@ pub fn refused(code: &'static str, context: &Context) -> CliError {
 ///
 /// # Errors
 /// The file cannot be used; all its mistakes are reported at once.
-pub fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Turned, CliError> {
+pub fn read(path: &Path, knowledge: &Knowledge, context: &Context) -> Result<Workpiece, CliError> {
     let shown = path.display().to_string();
     let text = context.text(path)?;
     // Tables of points and drawings that its contours name.

@@ -19,7 +19,7 @@ use technolog::turning::operation::tool_table;
 use technolog::turning::operation::turret::{Put, stations};
 use technolog::turning::operation::{self, Operation};
 use technolog::turning::program::{Control as LatheControl, NotCycled, NotWritten, ProgramFile};
-use technolog::turning::workpiece::{Turned, Workpiece};
+use technolog::turning::workpiece::Workpiece;
 use technolog::units::{Minutes, RevsPerMinute};
 use technolog::words::{Lang, say};
 
@@ -278,17 +278,14 @@ pub fn setting(
 /// # Errors
 /// The knowledge base lacks something.
 pub fn report(
-    read: &Turned,
+    read: &Workpiece,
     control: Control,
     given: GivenTimes,
     knowledge: &Knowledge,
     context: &Context,
 ) -> Result<(Document, Outcome), CliError> {
     let lacking = |error: KnowledgeError| CliError::of_knowledge(&error, context.lang);
-    let operation = match read {
-        Turned::Stepped(shaft) => plan(&Workpiece::from(shaft), knowledge, context)?,
-        Turned::Contoured(workpiece) => plan(workpiece, knowledge, context)?,
-    };
+    let operation = plan(read, knowledge, context)?;
     let times = times(&operation, knowledge).map_err(lacking)?;
     let setting = set(&operation, control, knowledge, context)?;
     let named = |work: Work| context.lang.term("turn-does", work.name()).to_owned();

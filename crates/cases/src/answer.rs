@@ -12,7 +12,6 @@ use crate::plan::{CuttingMethod, Preference};
 use crate::planner;
 use crate::program::is_run;
 use crate::program::proof::PlannedJob;
-use crate::turning::workpiece::{Turned, Workpiece};
 use crate::turning::{operation, ways};
 
 use super::question::{Program, Question};
@@ -30,11 +29,13 @@ pub fn answer(question: &Question, asker: &Asker<'_>) -> Result<Value, Knowledge
             let plan = planner::plan(part, *method, knowledge)?;
             planned::json(&plan, &planner::plan_by(part, *method, Preference::Tables, knowledge)?)
         }
-        Question::Turned { part, operation, objective } => match part.as_ref() {
-            Turned::Stepped(shaft) if !operation => value(&ways::find(shaft, *objective, knowledge)?),
-            Turned::Stepped(shaft) => value(&operation::plan(&Workpiece::from(shaft), knowledge)?),
-            Turned::Contoured(workpiece) => value(&operation::plan(workpiece, knowledge)?),
-        },
+        Question::Turned { part, operation, objective } => {
+            let ways = if *operation { None } else { ways::find(part, *objective, knowledge)? };
+            match ways {
+                Some(ways) => value(&ways),
+                None => value(&operation::plan(part, knowledge)?),
+            }
+        }
         Question::Program(program) => checked(program, knowledge)?,
         Question::Audit(stated) => value(&asker.auditor()?.audit(stated)?),
     })

@@ -10,7 +10,7 @@ use crate::part::Part;
 use crate::plan::CuttingMethod;
 use crate::program::{Language, Setting};
 use crate::turning::passes::cost::Objective;
-use crate::turning::workpiece::Turned;
+use crate::turning::workpiece::Workpiece;
 
 use super::expected::Expected;
 use super::hold::{ActualValue, Answer, Failure, hold, is_from};
@@ -32,7 +32,7 @@ pub enum Question {
     /// The turning of a part: `technolog turn`.
     Turned {
         /// The part.
-        part: Box<Turned>,
+        part: Box<Workpiece>,
         /// Whether the operation is asked for, where the file is a stepped shaft.
         operation: bool,
         /// The objective of the passes of a stepped shaft.

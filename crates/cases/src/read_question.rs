@@ -10,7 +10,7 @@ use crate::part::{Part, read_part, read_part_node};
 use crate::plan::CuttingMethod;
 use crate::program::{Language, Setting};
 use crate::turning::passes::cost::Objective;
-use crate::turning::workpiece::{Turned, read_turned, read_turned_node};
+use crate::turning::workpiece::{Workpiece, read_turned, read_turned_node};
 use technolog_note::{Note, note};
 
 use super::file::CaseForm;
@@ -173,11 +173,8 @@ impl Reader<'_> {
         Some(Question::Turned { part: Box::new(part), operation: operation?, objective: objective? })
     }
 
-    fn objective(&mut self, node: &Node, part: &Turned) -> Option<Objective> {
-        let rates = match part {
-            Turned::Stepped(shaft) => shaft.rates,
-            Turned::Contoured(_) => None,
-        };
+    fn objective(&mut self, node: &Node, part: &Workpiece) -> Option<Objective> {
+        let rates = part.shaft.as_ref().and_then(|shaft| shaft.rates);
         match self.choice(node, &[("path", 0), ("passes", 1), ("time", 2)])? {
             0 => Some(Objective::Path),
             1 => Some(Objective::Passes),

@@ -18,8 +18,8 @@ use crate::document::{Block, Column, Document, Drawing, Field, Keep, Table};
 use crate::knowledge::Knowledge;
 use crate::note;
 use technolog_turning::length::Half;
+use technolog_turning::passes::Variant;
 use technolog_turning::passes::cost::Objective;
-use technolog_turning::passes::{Sequences, Variant};
 use technolog_turning::shaft::{Division, Moves};
 use technolog_turning::ways::Ways;
 use technolog_words::say;
@@ -40,8 +40,8 @@ pub use setting::setting_page;
 /// The whole page of a shaft.
 pub fn page(ways: &Ways, knowledge: &Knowledge, doubts: Doubts, lang: Lang) -> Document {
     let found = &ways.sequences;
-    let mut page = Document::new(lang.tag(), found.shaft.shaft.as_str());
-    head(&mut page, found, knowledge, lang);
+    let mut page = Document::new(lang.tag(), ways.shaft.as_str());
+    head(&mut page, ways, knowledge, lang);
     ways::sections(&mut page, ways, lang);
     if let Some(best) = found.variants.last().filter(|best| !best.passes.is_empty()) {
         section(&mut page, say!(lang, "turn-optimum"));
@@ -89,7 +89,8 @@ fn findings<'f>(page: &mut Document, all: impl Iterator<Item = &'f note::Finding
     }
 }
 
-fn head(page: &mut Document, found: &Sequences, knowledge: &Knowledge, lang: Lang) {
+fn head(page: &mut Document, ways: &Ways, knowledge: &Knowledge, lang: Lang) {
+    let found = &ways.sequences;
     let shaft = &found.shaft;
     let blank = &shaft.blank;
     let steps: Vec<String> = shaft
@@ -113,11 +114,11 @@ fn head(page: &mut Document, found: &Sequences, knowledge: &Knowledge, lang: Lan
         kind = word(blank.kind.name()),
         diameter = blank.diameter,
         length = blank.length,
-        holding = word(shaft.holding.name())
+        holding = word(ways.holding.name())
     );
     let (along, across) = (shaft.roughing.longitudinal_depth, shaft.roughing.transverse_depth);
     let fields_of_task = [
-        (say!(lang, "turn-material").to_owned(), material(&shaft.material, knowledge)),
+        (say!(lang, "turn-material").to_owned(), material(&ways.material, knowledge)),
         (say!(lang, "turn-blank-label").to_owned(), blank),
         (say!(lang, "turn-steps").to_owned(), steps.join(", ")),
         (say!(lang, "turn-levels", depth = along), format!("Ø{}", levels.join(" → "))),

@@ -4,26 +4,25 @@ use petgraph::algo::dijkstra;
 use petgraph::graph::DiGraph;
 use proptest::prelude::*;
 use technolog::note::Note;
+use technolog::tables::turning::part::StockKind;
 use technolog::turning::length::Half;
 use technolog::turning::passes::cost::Objective;
 use technolog::turning::passes::grid::Grid;
 use technolog::turning::passes::optimum::moves;
 use technolog::turning::passes::pass::{Pass, PassDirection};
 use technolog::turning::point::Point;
-use technolog::turning::shaft::{Blank, BlankKind, Division, Holding, Moves, Rates, Roughing, Shaft, Step};
+use technolog::turning::shaft::{Blank, Division, Moves, Rates, Roughing, Shaft, Step};
+use technolog::turning::workpiece::{Workpiece, read_turned};
 use technolog::units::{Micrometres, MillimetresPerMinute};
+
+use crate::KNOWLEDGE;
 
 /// A shaft by micrometres: the bar, the steps as diameter and length, the depths.
 pub fn shaft(bar: i64, steps: &[(i64, i64)], longitudinal: i64, transverse: i64, division: Division) -> Shaft {
     let length = steps.iter().map(|(_, length)| length).sum();
     Shaft {
-        shaft: "shaft".to_owned(),
-        material: "steel-45".to_owned(),
-        machine: None,
-        material_state: None,
-        blank: Blank { kind: BlankKind::Bar, diameter: Micrometres::new(bar), length: Micrometres::new(length) },
+        blank: Blank { kind: StockKind::Bar, diameter: Micrometres::new(bar), length: Micrometres::new(length) },
         blank_steps: Vec::new(),
-        holding: Holding::Chuck,
         steps: steps
             .iter()
             .map(|&(diameter, length)| Step { diameter: Micrometres::new(diameter), length: Micrometres::new(length) })
@@ -36,6 +35,26 @@ pub fn shaft(bar: i64, steps: &[(i64, i64)], longitudinal: i64, transverse: i64,
         },
         rates: None,
     }
+}
+
+/// Its workpiece: what the reader makes of its file.
+pub fn workpiece(shaft: &Shaft) -> Workpiece {
+    let steps = |steps: &[Step]| {
+        let all = steps.iter().map(|step| format!("{{diameter: {}, length: {}}}", step.diameter, step.length));
+        all.collect::<Vec<_>>().join(", ")
+    };
+    let Blank { kind, diameter, length } = shaft.blank;
+    let of_blank =
+        if shaft.blank_steps.is_empty() { String::new() } else { format!(", steps: [{}]", steps(&shaft.blank_steps)) };
+    let Roughing { longitudinal_depth, transverse_depth, division, .. } = shaft.roughing;
+    let text = format!(
+        "shaft: shaft\nmaterial: steel-45\nblank: {{kind: {}, diameter: {diameter}, length: {length}{of_blank}}}\nsteps: [{}]\n\
+         roughing: {{longitudinal_depth: {longitudinal_depth}, transverse_depth: {transverse_depth}, division: {}}}\n",
+        kind.name(),
+        steps(&shaft.steps),
+        division.name()
+    );
+    read_turned("shaft", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{text}{mistakes:?}"))
 }
 
 /// Any shaft whose levels and slices together are at most so many.

@@ -1,7 +1,7 @@
 //! Turning: planning of the operations, tools and programs that turn a shaft or a part of any contour.
 //!
-//! - [`shaft`] reads the file of a shaft and reports all its mistakes at once;
-//! - [`workpiece`] is the same for a part of any contour, and reads both forms of the file;
+//! - [`workpiece`] reads the file of a part and reports all its mistakes at once;
+//! - [`shaft`] is a stepped one as the paper has it;
 //! - [`length`] is the exact length of this crate, in halves of a micrometre, because half of a diameter is one;
 //! - [`contour`] is a section of lines and arcs, [`point`] its points, [`toolpath`] the motions of a tool along it;
 //! - [`schemes`] clears the levels over a shaft by the schemes of the lecture;

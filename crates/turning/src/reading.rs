@@ -3,7 +3,7 @@
 use crate::knowledge::Knowledge;
 use crate::knowledge::diagnostic::{Diagnostic, Place, Severity};
 use crate::knowledge::form::KeyOf;
-use crate::knowledge::yaml::{Fields, Node, Problems, parse};
+use crate::knowledge::yaml::{Fields, Node, Problems};
 use crate::material::{self, MaterialState};
 use crate::note::Note;
 use crate::turning::tooling::Lathe;
@@ -25,11 +25,6 @@ pub enum Mistake {
 }
 
 impl Mistake {
-    /// A mistake of meaning without figures.
-    pub(super) fn of(code: &'static str, place: &Place) -> Self {
-        Self::Meaning(code, Note::new(code), place.clone())
-    }
-
     /// Its place.
     pub const fn place(&self) -> Option<&Place> {
         match self {
@@ -74,16 +69,9 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// A reader for a text, and the tree of the text if it can be parsed.
-    pub(super) fn open(file: &str, text: &str, knowledge: &'a Knowledge) -> (Self, Option<Node>) {
-        let (root, problems) = parse(file, text);
-        (Self::over(problems, knowledge), root)
-    }
-
     /// A reader for a tree, with the problems of its text.
-    pub(super) fn over(problems: Vec<Diagnostic>, knowledge: &'a Knowledge) -> Self {
-        const NONE: &Drawings = &Drawings::NONE;
-        Self { knowledge, drawings: NONE, problems: Problems(problems), meant: Vec::new() }
+    pub(super) fn over(problems: Vec<Diagnostic>, drawings: &'a Drawings, knowledge: &'a Knowledge) -> Self {
+        Self { knowledge, drawings, problems: Problems(problems), meant: Vec::new() }
     }
 
     /// The result, or every mistake in the order of the file.

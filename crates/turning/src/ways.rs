@@ -9,7 +9,9 @@ use serde::Serialize;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
+use crate::material::MaterialState;
 use crate::note::{Because, Figure, Finding, Note, Severity};
+use crate::tables::turning::part::BlankShape;
 use crate::tables::turning::passes::{PassDirectionFor, Passes};
 use crate::units::{Minutes, round_to};
 
@@ -21,13 +23,25 @@ use super::passes::{self, Sequences, Variant};
 use super::point::Point;
 use super::schemes::removal::{self, Scheme};
 use super::schemes::{self, SchemeEntry, Schemes};
-use super::shaft::{Rates, Shaft};
+use super::shaft::{Holding, Rates, Shaft};
 use super::toolpath::{Purpose, Toolpath};
 use super::workpiece::Workpiece;
 
 /// The ways of roughing a shaft, with all that they are made of.
 #[derive(Clone, Debug, Serialize)]
 pub struct Ways {
+    /// The name of the shaft.
+    pub shaft: String,
+    /// The id of its material.
+    pub material: String,
+    /// The id of its lathe, as in the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub machine: Option<String>,
+    /// The hardness or strength of its material, if the file gives it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub material_state: Option<MaterialState>,
+    /// The way of clamping.
+    pub holding: Holding,
     /// The sequences of longitudinal and transverse passes.
     #[serde(flatten)]
     pub sequences: Sequences,
@@ -90,24 +104,52 @@ pub struct Recommended {
     pub because: Because,
 }
 
-/// Finds the ways of a shaft; the objective is that of the search for the optimal sequence.
+/// Finds the ways of a workpiece; none if it is no stepped shaft. The objective is that of the search for the optimal sequence.
 ///
 /// # Errors
 /// The knowledge base lacks a table or a row.
-pub fn find(shaft: &Shaft, objective: Objective, knowledge: &Knowledge) -> Result<Ways, KnowledgeError> {
+pub fn find(
+    workpiece: &Workpiece,
+    objective: Objective,
+    knowledge: &Knowledge,
+) -> Result<Option<Ways>, KnowledgeError> {
+    match &workpiece.shaft {
+        Some(shaft) => of_shaft(shaft, workpiece, objective, knowledge).map(Some),
+        None => Ok(None),
+    }
+}
+
+fn of_shaft(
+    shaft: &Shaft,
+    workpiece: &Workpiece,
+    objective: Objective,
+    knowledge: &Knowledge,
+) -> Result<Ways, KnowledgeError> {
     let sequences = passes::find(shaft, objective, knowledge)?;
-    let schemes = schemes::find(shaft, knowledge)?;
-    let question = PassDirectionFor { blank_shape: shaft.blank.kind.shape(), holding: shaft.holding };
+    let schemes = schemes::find(workpiece, shaft, knowledge)?;
+    let question = PassDirectionFor { blank_shape: BlankShape::of(shaft.blank.kind), holding: workpiece.holding };
     let asked = knowledge.ask(&question)?;
-    let allowed = asked.need(shaft.holding.name())?.direction;
+    let allowed = asked.need(workpiece.holding.name())?.direction;
     let pass_direction = Because::answer(&asked.answer, Note::new(code(allowed)));
-    let operation = operation::plan(&Workpiece::from(shaft), knowledge)?;
+    let operation = operation::plan(workpiece, knowledge)?;
     let wrong = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
     // A shaft without a lathe is a question about its ways; what its operation lacks is told and does not spoil the answer.
-    let severity = |finding: &Finding| if shaft.machine.is_some() { finding.severity } else { Severity::Doubtful };
+    let severity = |finding: &Finding| if workpiece.machine.is_some() { finding.severity } else { Severity::Doubtful };
     let operation_findings = wrong.map(|one| Finding { severity: severity(one), ..one.clone() }).collect();
-    let mut ways =
-        Ways { sequences, schemes, ways: Vec::new(), pass_direction, recommended: None, operation_findings, operation };
+    let mut ways = Ways {
+        shaft: workpiece.name.clone(),
+        material: workpiece.material.clone(),
+        machine: workpiece.machine.clone(),
+        material_state: workpiece.material_state,
+        holding: workpiece.holding,
+        sequences,
+        schemes,
+        ways: Vec::new(),
+        pass_direction,
+        recommended: None,
+        operation_findings,
+        operation,
+    };
     let findings = ways.schemes.findings.clone();
     ways.sequences.findings.extend(findings);
     if ways.schemes.schemes.is_empty() {

@@ -8,7 +8,7 @@ use technolog::plan::{Conditions, CuttingMethod, Operation, Plan, Transition};
 use technolog::report::{Doubts, Lang, sheet};
 use technolog::shop::Shop;
 use technolog::turning::operation::plan as turned;
-use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
+use technolog::turning::workpiece::{Workpiece, read_turned};
 use technolog::units::Micrometres;
 use technolog_testing::cuts::plain_cut;
 use technolog_testing::{KNOWLEDGE, plan_of_hole, plan_of_hole_by_tables, planned, read};
@@ -282,10 +282,7 @@ const STEPPED: &str = "shaft: T\nmaterial: steel-45\nblank: {kind: bar, diameter
                        - {face: 50}\n  - {cylinder: -60, grade: h9}\n  - {face: 60}\n  - {cylinder: -100}\n";
 
 fn stepped() -> Workpiece {
-    match read_turned("shaft.yaml", STEPPED, &KNOWLEDGE).unwrap() {
-        Turned::Contoured(workpiece) => *workpiece,
-        Turned::Stepped(shaft) => Workpiece::from(&shaft),
-    }
+    read_turned("shaft.yaml", STEPPED, &KNOWLEDGE).unwrap()
 }
 
 /// Between centres, where no jaws bound the depth: the bar Ø65 over Ø36.014. At 0.5 mm/rev and 560 1/min (114.35 m/min) Pz is 824.5 N

@@ -7,7 +7,7 @@ use technolog::turning::contour::{Contour, Piece, Profile, Side, Surface, Surfac
 use technolog::turning::length::Half;
 use technolog::turning::operation::plan;
 use technolog::turning::point::Point;
-use technolog::turning::workpiece::read_workpiece;
+use technolog::turning::workpiece::read_turned;
 use technolog::units::{ItGrade, Micrometres, Roughness};
 use technolog_testing::KNOWLEDGE;
 
@@ -87,7 +87,7 @@ fn new_elements_replace_those_finished_elsewhere() {
         outer: [{from: {d: 0, z: 0}}, {face: 36}, {cylinder: -30, grade: h6, roughness: Ra 1.25}, \
         {groove: rectangular, width: 3, depth: 0.3}, {face: 50}, {cylinder: -63, grade: h12}]\n\
         roughing: {limiting_depth: 3}\n";
-    let workpiece = read_workpiece("shaft", text, &KNOWLEDGE).unwrap();
+    let workpiece = read_turned("shaft", text, &KNOWLEDGE).unwrap();
     let operation = plan(&workpiece, &KNOWLEDGE).unwrap();
     assert_eq!(operation.elsewhere[0].allowance_mm, Half::from(0.2));
     let layers = &operation.set_ups[0].sides[0].layers;

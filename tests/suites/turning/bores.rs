@@ -4,7 +4,7 @@ use technolog::note::Severity;
 use technolog::turning::contour::Side;
 use technolog::turning::jobs::{Body, Work};
 use technolog::turning::operation::Operation;
-use technolog::turning::workpiece::read_workpiece;
+use technolog::turning::workpiece::read_turned;
 use technolog_testing::KNOWLEDGE;
 
 use super::operation::planned;
@@ -26,7 +26,7 @@ fn bushing(material: &str, bore: i64, wider: i64, length: i64) -> Operation {
         mouth + 2,
         mouth + 2,
     );
-    planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap())
+    planned(&read_turned("part", &text, &KNOWLEDGE).unwrap())
 }
 
 fn wrong(operation: &Operation) -> Vec<&str> {
@@ -89,6 +89,6 @@ fn a_bore_too_deep_says_what_is_too_short() {
     let tube = "shaft: Tube\nmaterial: steel-45\nblank: {kind: tube, diameter: 90, bore: 56, length: 300, face: 1}\n\
                 machine: 16k20f3\nouter:\n  - {from: {d: 60, z: 0}}\n  - {face: 84}\n  - {cylinder: -240}\n\
                 inner:\n  - {from: {d: 60, z: 0}}\n  - {cylinder: -240, grade: H8, roughness: Ra 3.2}\n";
-    let operation = planned(&read_workpiece("part", tube, &KNOWLEDGE).unwrap());
+    let operation = planned(&read_turned("part", tube, &KNOWLEDGE).unwrap());
     assert!(wrong(&operation).contains(&"bar-too-long"), "{:?}", operation.findings);
 }

@@ -1,7 +1,8 @@
 //! Contours by points, by tables of points and by polylines of drawings.
 
 use technolog::turning::contour::{Curve, Profile, Turn};
-use technolog::turning::workpiece::{Drawings, Turned, Workpiece, files_named, read_turned_with};
+use technolog::turning::shaft::Mistake;
+use technolog::turning::workpiece::{Drawings, Workpiece, files_named, read_turned_with};
 use technolog_testing::KNOWLEDGE;
 
 const HEAD: &str =
@@ -12,14 +13,10 @@ fn read(text: &str, files: &[(&str, &str)]) -> Result<Workpiece, Vec<String>> {
     for (name, text) in files {
         drawings.add(name, Ok((*text).to_owned()));
     }
-    match read_turned_with("part.yaml", text, &drawings, &KNOWLEDGE) {
-        Ok(Turned::Contoured(part)) => Ok(*part),
-        Ok(Turned::Stepped(_)) => panic!("steps"),
-        Err(mistakes) => Err(mistakes
-            .iter()
-            .map(|one| format!("{} {}", one.code(), one.place().map(ToString::to_string).unwrap_or_default()))
-            .collect()),
-    }
+    read_turned_with("part.yaml", text, &drawings, &KNOWLEDGE).map_err(|mistakes| {
+        let place = |one: &Mistake| one.place().map(ToString::to_string).unwrap_or_default();
+        mistakes.iter().map(|one| format!("{} {}", one.code(), place(one))).collect()
+    })
 }
 
 fn example(name: &str) -> String {

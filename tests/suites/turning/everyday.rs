@@ -21,7 +21,7 @@ use technolog_turning_proof::{At, Block, Mm, Motion, MotionKind, Piece};
 fn planned(name: &str) -> Operation {
     let path = format!("{}/tests/everyday/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap();
-    plan(&read_turned(&path, &text, &KNOWLEDGE).unwrap().into_workpiece(), &KNOWLEDGE).unwrap()
+    plan(&read_turned(&path, &text, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap()
 }
 
 fn wrong(operation: &Operation) -> Vec<&str> {
@@ -165,7 +165,7 @@ fn a_steady_rest_holds_the_free_end() {
     let text = std::fs::read_to_string(&path).unwrap();
     let without: String =
         text.lines().filter(|line| !line.starts_with("steady_rest")).map(|line| format!("{line}\n")).collect();
-    let alone = plan(&read_turned(&path, &without, &KNOWLEDGE).unwrap().into_workpiece(), &KNOWLEDGE).unwrap();
+    let alone = plan(&read_turned(&path, &without, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
     assert!(wrong(&alone).contains(&"bounds-exceeded"), "{:?}", wrong(&alone));
 }
 
@@ -346,7 +346,7 @@ fn a_raw_bar_is_no_fit() {
             "shaft: P\nmaterial: steel-45\nmachine: 16k20f3\nblank: {{kind: bar, diameter: {bar}, length: 60, face: 1}}\n\
              outer:\n  - {{from: {{d: 0, z: 0}}}}\n  - {{face: 26}}\n  - {{cylinder: -35, name: seat, {asked}}}\n"
         );
-        let operation = plan(&read_turned("P", &text, &KNOWLEDGE).unwrap().into_workpiece(), &KNOWLEDGE).unwrap();
+        let operation = plan(&read_turned("P", &text, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
         (wrong(&operation).iter().map(|code| code.to_string()).collect::<Vec<_>>(), operation.elsewhere.len())
     };
     let raw = |later| (vec!["surface-of-blank".to_owned()], later);
@@ -363,7 +363,7 @@ fn too_short_a_grip_is_wrong() {
     let text = "shaft: P\nmaterial: steel-45\nmachine: 16k20f3\nblank: {kind: bar, diameter: 45, length: 80, face: 1.5}\n\
                 outer:\n  - {from: {d: 0, z: 0}}\n  - {face: 17.78}\n  - {cone: {d: 24, z: -50}}\n  - {cylinder: -54}\n  \
                 - {face: 40}\n  - {chamfer: 1.5}\n  - {cylinder: -65}\n";
-    let operation = plan(&read_turned("P", text, &KNOWLEDGE).unwrap().into_workpiece(), &KNOWLEDGE).unwrap();
+    let operation = plan(&read_turned("P", text, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
     assert_eq!(wrong(&operation), ["jaws-grip-too-little"], "{:?}", operation.findings);
 }
 
@@ -376,7 +376,7 @@ fn grey_iron_has_no_coolant() {
              outer:\n  - {{from: {{d: 0, z: 0}}}}\n  - {{face: 40}}\n  - {{cylinder: -30}}\n  - {{face: 46}}\n  - \
              {{cylinder: -50}}\n"
         );
-        let operation = plan(&read_turned("P", &text, &KNOWLEDGE).unwrap().into_workpiece(), &KNOWLEDGE).unwrap();
+        let operation = plan(&read_turned("P", &text, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
         assert_eq!(operation.set_ups[0].jobs.iter().all(|job| !job.dry), starts);
         let programs = programs(&operation, "fanuc", Form::Motions, None, &KNOWLEDGE).unwrap();
         let files = programs[0].files.as_ref().unwrap();

@@ -7,7 +7,7 @@ use technolog::note::Severity;
 use technolog::report::Lang;
 use technolog::turning::operation::plan;
 use technolog::turning::operation::programs::{Form, programs};
-use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
+use technolog::turning::workpiece::read_turned;
 use technolog::units::RevsPerMinute;
 use technolog_laws::share;
 use technolog_testing::KNOWLEDGE;
@@ -22,10 +22,7 @@ fn text(name: &str) -> String {
 
 /// What stops it.
 fn fault(text: &str) -> Option<String> {
-    let workpiece = match read_turned("part", text, &KNOWLEDGE).ok()? {
-        Turned::Contoured(workpiece) => *workpiece,
-        Turned::Stepped(shaft) => Workpiece::from(&shaft),
-    };
+    let workpiece = read_turned("part", text, &KNOWLEDGE).ok()?;
     let operation = match plan(&workpiece, &KNOWLEDGE) {
         Ok(operation) => operation,
         Err(error) => return Some(error.to_string()),
@@ -40,7 +37,7 @@ fn a_blank_of_a_hundred_metres_has_too_many_passes() {
     let text = text("turned-ball");
     let large = text.replacen("diameter: 45", "diameter: 100000", 1);
     assert_ne!(large, text);
-    let Ok(Turned::Contoured(workpiece)) = read_turned("part", &large, &KNOWLEDGE) else { panic!("{large}") };
+    let workpiece = read_turned("part", &large, &KNOWLEDGE).unwrap();
     let findings = plan(&workpiece, &KNOWLEDGE).unwrap().findings;
     let graves: Vec<_> =
         findings.iter().filter(|one| one.severity == Severity::Error).map(|one| one.note.code()).collect();

@@ -8,7 +8,7 @@ use technolog::note::Severity;
 use technolog::program::lathe::{LatheLanguage, Subprogram, read};
 use technolog::turning::operation::Operation;
 use technolog::turning::operation::programs::{Form, programs};
-use technolog::turning::workpiece::{read_turned, read_workpiece};
+use technolog::turning::workpiece::read_turned;
 use technolog_testing::KNOWLEDGE;
 
 use crate::operation::{example, planned};
@@ -29,7 +29,7 @@ fn pin(seat: &str, bore: Option<&str>) -> String {
 }
 
 fn operation(seat: &str, bore: Option<&str>) -> Operation {
-    planned(&read_workpiece("part", &pin(seat, bore), &KNOWLEDGE).unwrap())
+    planned(&read_turned("part", &pin(seat, bore), &KNOWLEDGE).unwrap())
 }
 
 /// The surfaces that are told, each with its field and the size that is made.
@@ -69,7 +69,7 @@ fn each_face_stands_in_the_middle_of_its_own_limits() {
     let text = "shaft: Pin\nmaterial: steel-45\nblank: {kind: bar, diameter: 60, length: 62, face: 1}\nmachine: 16k20f3\nouter:\n  \
                 - {from: {d: 0, z: 0}}\n  - {face: 20}\n  - {cylinder: -30}\n  - {face: 30, name: A, limits: {upper: 0.2, lower: \
                 0}}\n  - {cone: {d: 40, z: -40}}\n  - {face: 50, name: B, limits: {upper: 0.4, lower: 0}}\n  - {cylinder: -60}\n";
-    let operation = planned(&read_workpiece("part", text, &KNOWLEDGE).unwrap());
+    let operation = planned(&read_turned("part", text, &KNOWLEDGE).unwrap());
     for (face, least, middle, most) in [("A", "30", "30.1", "30.2"), ("B", "40", "40.2", "40.4")] {
         let sized = operation.sizes.of_surface(&face.into()).unwrap();
         let length = |text: String| text.trim_start_matches(['-', '\u{2212}']).to_owned();
@@ -95,7 +95,7 @@ fn a_bore_is_made_in_the_middle_where_a_bar_bores_it() {
         )
     };
     for (field, middle) in [("F8", "30.036"), ("N7", "29.982"), ("H8", "30.016"), ("JS8", "30")] {
-        let operation = planned(&read_workpiece("part", &bush(field), &KNOWLEDGE).unwrap());
+        let operation = planned(&read_turned("part", &bush(field), &KNOWLEDGE).unwrap());
         assert_eq!(made(&operation, "bore").as_deref(), Some(middle), "{field}");
         assert!(!operation.has_errors(), "{field}: {:?}", operation.findings);
     }
@@ -112,7 +112,7 @@ fn a_field_without_figures_is_wrong_where_it_leaves_the_size_out() {
 #[test]
 fn a_fit_without_a_lathe_is_no_error() {
     let part = pin("grade: k6, roughness: Ra 1.25", None).replace("machine: 16k20f3\n", "");
-    let operation = planned(&read_workpiece("part", &part, &KNOWLEDGE).unwrap());
+    let operation = planned(&read_turned("part", &part, &KNOWLEDGE).unwrap());
     assert_eq!(made(&operation, "seat").as_deref(), Some("20.009"));
     assert!(told(&operation).is_empty(), "{:?}", operation.findings);
 }
@@ -215,7 +215,7 @@ fn soft_jaws_are_bored_no_longer_than_the_grip_needs() {
             "shaft: P\nmaterial: steel-45\nblank: {{kind: bar, diameter: {bar}, length: 123, face: 1.5}}\nmachine: \
              16k20f3\nouter:\n  - {{from: {{d: 0, z: 0}}}}\n  - {{face: {outside}}}\n  - {{cylinder: -120}}\n"
         );
-        planned(&read_workpiece("part", &part, &KNOWLEDGE).unwrap()).set_ups[1].jaws.unwrap()
+        planned(&read_turned("part", &part, &KNOWLEDGE).unwrap()).set_ups[1].jaws.unwrap()
     };
     for (bar, outside, front) in [(85, 80, 80.0), (45, 40, 5.0)] {
         let jaws = jaws(bar, outside);
@@ -232,7 +232,7 @@ fn soft_jaws_are_bored_to_the_size_as_turned() {
                 16k20f3\nouter:\n  - {from: {d: 40, z: 0}}\n  - {face: 52}\n  - {chamfer: 1}\n  - {cylinder: -40, name: \
                 seat, grade: h6, roughness: Ra 1.25}\n  - {groove: grinding-relief}\n  - {face: 65}\n  - {cylinder: \
                 -60}\ninner:\n  - {from: {d: 40, z: 0}}\n  - {cylinder: -60}\n";
-    let operation = planned(&read_workpiece("part", bush, &KNOWLEDGE).unwrap());
+    let operation = planned(&read_turned("part", bush, &KNOWLEDGE).unwrap());
     let left = operation.elsewhere.iter().find(|one| one.surface.to_string() == "seat").unwrap();
     let jaws = operation.set_ups[1].jaws.unwrap();
     assert!(left.allowance_mm.to_mm() > 0.0 && jaws.soft);
@@ -245,7 +245,7 @@ fn soft_jaws_are_bored_to_the_size_as_turned() {
 fn the_example_of_a_shared_place_is_a_real_one() {
     let path = format!("{}/tests/everyday/many-tools.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap();
-    let operation = planned(&read_turned(&path, &text, &KNOWLEDGE).unwrap().into_workpiece());
+    let operation = planned(&read_turned(&path, &text, &KNOWLEDGE).unwrap());
     let told = operation.findings.iter().find(|finding| finding.note.code() == "turret-too-small").unwrap();
     let told = ["place", "offset"].map(|name| told.note.figure_text(name));
     assert_eq!(told, [Some("2".to_owned()), Some("7".to_owned())]);

@@ -6,12 +6,12 @@ use technolog::turning::jobs::Work;
 use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::operation::setting::setting;
 use technolog::turning::operation::{SetUpWork, plan};
-use technolog::turning::workpiece::read_workpiece;
+use technolog::turning::workpiece::read_turned;
 use technolog_testing::KNOWLEDGE;
 
 /// What is told of jaws, doubtful or worse.
 fn told(part: &str) -> Vec<(Severity, String)> {
-    let operation = plan(&read_workpiece("part", part, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
+    let operation = plan(&read_turned("part", part, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
     let found = operation.findings.iter().filter(|finding| finding.severity <= Severity::Doubtful);
     let of_jaws =
         found.filter(|finding| finding.note.code().starts_with("jaws-") || finding.note.code().starts_with("grip-"));
@@ -73,7 +73,7 @@ fn stock_before_the_face_is_part_of_the_arm() {
              - {{cylinder: -90}}\n"
         )
     };
-    let operation = plan(&read_workpiece("part", &part(250), &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
+    let operation = plan(&read_turned("part", &part(250), &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
     let tips = operation.set_ups[1].grip.as_ref().unwrap().tips_n_m.unwrap();
     let face = operation.set_ups[1].jobs.iter().find(|job| job.work == Work::Face).unwrap();
     let cut = face.conditions.as_ref().unwrap();
@@ -91,7 +91,7 @@ fn a_head_of_the_bar_itself_is_no_work() {
     let part = "shaft: Head\nmaterial: steel-45\nblank: {kind: bar, diameter: 40, length: 84, face: 2}\nmachine: 16k20f3\n\
                 outer:\n  - {from: {d: 0, z: 0}}\n  - {face: 28}\n  - {chamfer: 1}\n  \
                 - {cylinder: -50, name: j, grade: h9, roughness: Ra 3.2}\n  - {face: 40}\n  - {cylinder: -80}\n";
-    let operation = plan(&read_workpiece("part", part, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
+    let operation = plan(&read_turned("part", part, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
     let finish = operation.set_ups[1].jobs.iter().find(|job| job.work == Work::Finish).unwrap();
     assert_eq!(finish.conditions.as_ref().unwrap().depth_mm.to_mm(), 0.7);
     assert!(finish.surfaces.is_empty() && finish.notes.iter().all(|note| !note.code().starts_with("finish-feed")));
@@ -118,7 +118,7 @@ fn a_named_lathe_is_not_asked_for() {
 fn a_program_stops_where_the_jaws_are_loosened() {
     let part = RING;
     assert!(told(part).iter().any(|one| one.1 == "jaws-loosen"));
-    let operation = plan(&read_workpiece("part", part, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
+    let operation = plan(&read_turned("part", part, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
     let stopped = |one: &&SetUpWork| one.grip.as_ref().is_some_and(|grip| !grip.regrips(&one.jobs).is_empty());
     let set_up = operation.set_ups.iter().find(stopped).unwrap();
     let number = set_up.set_up.number;

@@ -24,12 +24,7 @@ fn folder() -> PathBuf {
 fn operation(part: &str) -> Operation {
     let path = folder().join(format!("{part}.yaml"));
     let text = fs::read_to_string(&path).unwrap();
-    let technolog::turning::workpiece::Turned::Contoured(workpiece) =
-        read_turned(&path.to_string_lossy(), &text, &KNOWLEDGE).unwrap()
-    else {
-        panic!("{part}")
-    };
-    plan(&workpiece, &KNOWLEDGE).unwrap()
+    plan(&read_turned(&path.to_string_lossy(), &text, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap()
 }
 
 /// Beside a tailstock, and out of a relief before a wall, both axes may not go home at once: which of them is first nobody knows.

@@ -12,7 +12,7 @@ use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::operation::work::Work;
 use technolog::turning::operation::{Operation, plan};
 use technolog::turning::toolpath::Purpose;
-use technolog::turning::workpiece::{Turned, Workpiece, read_turned, read_workpiece};
+use technolog::turning::workpiece::{Workpiece, read_turned};
 use technolog::units::RevsPerMinute;
 use technolog_testing::{KNOWLEDGE, shafts, turned};
 use technolog_turning_proof::{Fault, What};
@@ -20,10 +20,7 @@ use technolog_turning_proof::{Fault, What};
 pub(crate) fn example(name: &str) -> Workpiece {
     let path = format!("{}/examples/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).unwrap();
-    match read_turned("part", &text, &KNOWLEDGE).unwrap() {
-        Turned::Contoured(workpiece) => *workpiece,
-        Turned::Stepped(shaft) => Workpiece::from(&shaft),
-    }
+    read_turned("part", &text, &KNOWLEDGE).unwrap()
 }
 
 pub(crate) fn planned(workpiece: &Workpiece) -> Operation {
@@ -82,7 +79,7 @@ fn a_pass_is_as_deep_as_what_it_finishes() {
     let text = std::fs::read_to_string(path).unwrap();
     let short = text.replace("{face: 40}", "{cone: {d: 40, z: -75}}");
     assert_ne!(short, text);
-    let operation = planned(&read_workpiece("part", &short, &KNOWLEDGE).unwrap());
+    let operation = planned(&read_turned("part", &short, &KNOWLEDGE).unwrap());
     let mut of_a_hollow = 0;
     for set_up in &operation.set_ups {
         let layers = |side: Side| set_up.sides.iter().filter(move |one| one.side == side).map(|one| &one.layers);
@@ -195,7 +192,7 @@ fn no_pass_is_a_sliver() {
              roughing: {{limiting_depth: 2}}\nallowances: {{method: stated, on_diameter: 0.8, on_face: 0.4}}\nouter:\n  \
              - {{from: {{d: 0, z: 0}}}}\n  - {{face: 20}}\n  - {{cylinder: -30}}\n  - {{face: {head}}}\n  - {{cylinder: -50}}\n"
         );
-        let operation = planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap());
+        let operation = planned(&read_turned("part", &text, &KNOWLEDGE).unwrap());
         let (_, _, along) = operation.zones().nth(1).unwrap();
         along.works.iter().map(|work| work.levels.depth.to_mm()).collect::<Vec<_>>()
     };
@@ -215,7 +212,7 @@ fn what_once_went_wrong_goes_right() {
         let path = path.unwrap().path();
         let text = std::fs::read_to_string(&path).unwrap();
         let workpiece =
-            read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{path:?} {mistakes:?}"));
+            read_turned("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{path:?} {mistakes:?}"));
         let operation = planned(&workpiece);
         let mut report = vec![spoilt(&operation).join("\n"), silent(&operation).join("\n")];
         report.retain(|one| !one.is_empty());
@@ -237,7 +234,7 @@ fn what_was_once_left_is_made() {
     let mut count = 0;
     for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/turned-whole")).unwrap() {
         let path = entry.unwrap().path();
-        let operation = planned(&read_workpiece("part", &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap());
+        let operation = planned(&read_turned("part", &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap());
         // Depths that some files state are more than their jaws hold: told, and no matter here.
         let of_jaws = ["grip-too-weak", "grip-tips", "jaws-crush"];
         let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
@@ -254,7 +251,7 @@ fn what_was_once_left_is_made() {
 fn what_is_unsafe_is_left_out() {
     for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/turned-safe")).unwrap() {
         let path = entry.unwrap().path();
-        let operation = planned(&read_workpiece("part", &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap());
+        let operation = planned(&read_turned("part", &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap());
         let (spoilt, silent) = (spoilt(&operation), silent(&operation));
         assert!(spoilt.is_empty() && silent.is_empty(), "{}: {spoilt:?} {silent:?}", path.display());
         let said = |code: &str| operation.findings.iter().any(|finding| finding.note.code() == code);
@@ -285,7 +282,7 @@ fn stands(work: &Work) -> Option<(Half, Half)> {
 fn no_pass_goes_where_nothing_stands() {
     for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/operations")).unwrap() {
         let path = entry.unwrap().path();
-        let operation = planned(&read_workpiece("part", &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap());
+        let operation = planned(&read_turned("part", &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap());
         for work in operation.zones().flat_map(|(_, _, zone)| &zone.works) {
             let (from, to) = stands(work).unwrap();
             // What begins before the metal, runs over its end or has a wide edge.
@@ -306,7 +303,7 @@ proptest! {
     #[test]
     fn any_part_comes_to_an_operation(draft in turned::drafts()) {
         let text = draft.text();
-        let read = read_workpiece("part", &text, &KNOWLEDGE);
+        let read = read_turned("part", &text, &KNOWLEDGE);
         prop_assume!(read.is_ok());
         let operation = planned(&read.unwrap());
         let silent = silent(&operation);
@@ -327,7 +324,7 @@ proptest! {
         prop_assume!(shaft.steps.iter().all(|step| step.length >= least));
         let radii: Vec<_> = shaft.steps.iter().map(|step| step.diameter).collect();
         prop_assume!(radii.windows(2).all(|two| two[1] - two[0] >= least + least));
-        let operation = planned(&Workpiece::from(&shaft));
+        let operation = planned(&shafts::workpiece(&shaft));
         prop_assert!(silent(&operation).is_empty());
         let faults = [spoilt(&operation), unfinished(&operation)].concat();
         prop_assert!(faults.is_empty(), "{:?}\n{}", shaft, faults.join("\n"));
@@ -337,7 +334,7 @@ proptest! {
     #[test]
     fn the_same_part_gives_the_same_operation(draft in turned::drafts()) {
         let plan = || {
-            let workpiece = read_workpiece("part", &draft.text(), &KNOWLEDGE).unwrap();
+            let workpiece = read_turned("part", &draft.text(), &KNOWLEDGE).unwrap();
             serde_json::to_string(&planned(&workpiece)).unwrap()
         };
         prop_assert_eq!(plan(), plan());
@@ -347,7 +344,7 @@ proptest! {
     /// passes of its own, and where these would spoil something its program is not given out.
     #[test]
     fn every_part_has_programs_or_reasons(draft in turned::drafts(), rpm in prop::option::of(20.0_f64..3000.0)) {
-        let operation = planned(&read_workpiece("part", &draft.text(), &KNOWLEDGE).unwrap());
+        let operation = planned(&read_turned("part", &draft.text(), &KNOWLEDGE).unwrap());
         for control in ["linuxcnc", "fanuc", "sinumerik", "nc-201"] {
             for form in [Form::Motions, Form::Cycles] {
                 let written = programs(&operation, control, form, rpm.map(RevsPerMinute), &KNOWLEDGE).unwrap();
@@ -407,7 +404,7 @@ fn programs_for_rs274() {
     let rpm = RevsPerMinute(500.0);
     let mut lines = String::new();
     for (number, text) in parts(variable("CASES", 100), u8::try_from(variable("SEED", 1)).unwrap()).iter().enumerate() {
-        let Ok(workpiece) = read_workpiece("part", text, &KNOWLEDGE) else { continue };
+        let Ok(workpiece) = read_turned("part", text, &KNOWLEDGE) else { continue };
         let operation = planned(&workpiece);
         let of_form = |form| programs(&operation, "linuxcnc", form, Some(rpm), &KNOWLEDGE).unwrap();
         for written in [Form::Motions, Form::Cycles].into_iter().flat_map(of_form) {
@@ -452,7 +449,7 @@ fn survey() {
         if std::env::var("ONLY").is_ok_and(|only| !text.contains(&only)) {
             continue;
         }
-        match read_workpiece("part", &text, &KNOWLEDGE) {
+        match read_turned("part", &text, &KNOWLEDGE) {
             Err(mistakes) => {
                 for mistake in mistakes {
                     note(format!("refused {}", mistake.code()), &text);
@@ -524,8 +521,7 @@ fn survey() {
 fn trace() {
     let Ok(path) = std::env::var("FILE") else { return };
     let text = std::fs::read_to_string(path).unwrap();
-    let operation =
-        planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}")));
+    let operation = planned(&read_turned("part", &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}")));
     let corners = |contour: &technolog::turning::contour::Contour| {
         let shown = contour.corners().iter().map(|at| format!("({} {})", at.radius, at.z)).collect::<Vec<_>>();
         shown.join(" ")

@@ -5,7 +5,7 @@ use technolog::knowledge::Knowledge;
 use technolog::shipped;
 use technolog::turning::operation::work::ZoneWork;
 use technolog::turning::operation::{Operation, plan};
-use technolog::turning::workpiece::read_workpiece;
+use technolog::turning::workpiece::read_turned;
 use technolog_testing::changed_knowledge;
 
 /// The shipped knowledge with one text of a rule put instead of another.
@@ -25,7 +25,7 @@ fn planned(kind: &str, knowledge: &Knowledge) -> Operation {
          inner: [{{from: {{d: 24, z: 0}}}}, {{cylinder: -60}}]\n\
          allowances: {{method: stated, on_diameter: 1, on_face: 0.5}}\n"
     );
-    plan(&read_workpiece("part", &text, knowledge).unwrap(), knowledge).unwrap()
+    plan(&read_turned("part", &text, knowledge).unwrap(), knowledge).unwrap()
 }
 
 /// The first outer zone along the axis.

@@ -17,7 +17,7 @@ use technolog::turning::passes::rich::staircase::{Lines, Stairs};
 use technolog::turning::passes::variants::{per_step, total};
 use technolog::turning::passes::{find, named, rich};
 use technolog::turning::point::Point;
-use technolog::turning::shaft::{Division, Mistake, Rates, Shaft, read_shaft};
+use technolog::turning::shaft::{Division, Mistake, Rates, Shaft};
 use technolog::turning::workpiece::read_turned;
 use technolog::units::Micrometres;
 use technolog_testing::shafts::{by_petgraph, objectives, rates, shaft, shafts};
@@ -85,7 +85,8 @@ fn the_free_optimum_of_the_paper_s_shaft_is_shorter_than_the_paper_s() {
 fn example(name: &str) -> Shaft {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}.yaml"));
     let text = fs::read_to_string(file).unwrap();
-    read_shaft(name, &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}"))
+    let read = read_turned(name, &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}"));
+    read.shaft.unwrap()
 }
 
 #[test]
@@ -450,10 +451,10 @@ proptest! {
         let from = from.min(letters.len());
         let rest = letters.iter().skip(from + long);
         let spoilt: String = letters.iter().take(from).copied().chain(put.chars()).chain(rest.copied()).collect();
-        match read_shaft("shaft", &spoilt, &KNOWLEDGE) {
+        match read_turned("shaft", &spoilt, &KNOWLEDGE) {
             Err(mistakes) => prop_assert!(!mistakes.is_empty(), "{spoilt}"),
-            Ok(shaft) => {
-                let found = find(&shaft, Objective::Path, &KNOWLEDGE).unwrap();
+            Ok(read) => {
+                let found = find(&read.shaft.unwrap(), Objective::Path, &KNOWLEDGE).unwrap();
                 prop_assert_eq!(found.variants.len(), 4);
             }
         }

@@ -145,7 +145,7 @@ fn what_is_not_known_is_not_blamed() {
 fn a_turret_that_is_too_small_is_filled_at_a_stop() {
     let path = format!("{}/tests/everyday/many-tools.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap();
-    let operation = planned(&read_turned(&path, &text, &KNOWLEDGE).unwrap().into_workpiece());
+    let operation = planned(&read_turned(&path, &text, &KNOWLEDGE).unwrap());
     assert_eq!(operation.turret_places, Some(6));
     let calls = [
         ("linuxcnc", ["T2 M6 G43 H7", "T3 M6 G43 H8", "T4 M6 G43 H9", "T5 M6 G43 H10"]),
@@ -204,7 +204,7 @@ fn threaded_with(mouth: f64, bore: &str) -> (Operation, String) {
         - {cylinder: -70, name: bearing, grade: h9, roughness: Ra 3.2}\n  - {face: 44}\n  - {chamfer: 1}\n  \
         - {cylinder: -130}\n";
     let text = format!("{}{bore}", text.replacen("{d: 0, z: 0}", &format!("{{d: {mouth}, z: 0}}"), 1));
-    let operation = planned(&read_turned("stud.yaml", &text, &KNOWLEDGE).unwrap().into_workpiece());
+    let operation = planned(&read_turned("stud.yaml", &text, &KNOWLEDGE).unwrap());
     let written = programs(&operation, "fanuc", Form::Motions, None, &KNOWLEDGE).unwrap();
     let text = written[0].files.as_ref().unwrap()[0].text.clone();
     (operation, text)

@@ -6,18 +6,21 @@ use std::path::Path as File;
 use std::process::Command;
 
 use proptest::prelude::*;
+use technolog::error::KnowledgeError;
+use technolog::tables::turning::part::StockKind;
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
-use technolog::turning::schemes::find;
 use technolog::turning::schemes::levels::Levels;
 use technolog::turning::schemes::path::{Motion, Vertex, VertexRole};
 use technolog::turning::schemes::removal::{self, Scheme};
 use technolog::turning::schemes::report::{measure, points};
 use technolog::turning::schemes::zones::SchemeZone;
-use technolog::turning::shaft::{BlankKind, Division, Shaft, Step, read_shaft};
+use technolog::turning::schemes::{Schemes, find};
+use technolog::turning::shaft::{Division, Shaft, Step};
+use technolog::turning::workpiece::{Workpiece, read_turned};
 use technolog::units::Micrometres;
 use technolog_testing::KNOWLEDGE;
-use technolog_testing::shafts::{rates, shaft, shafts};
+use technolog_testing::shafts::{rates, shaft, shafts, workpiece};
 
 fn mm(value: f64) -> Half {
     Half::from(value)
@@ -27,10 +30,19 @@ fn path(scheme: Scheme, levels: &Levels) -> Vec<Vertex> {
     removal::path(scheme, levels, mm(2.0), mm(0.5))
 }
 
-fn example(name: &str) -> Shaft {
+fn levels(workpiece: &Workpiece) -> Levels {
+    Levels::of(workpiece, workpiece.shaft.as_ref().unwrap().roughing.longitudinal_depth)
+}
+
+fn schemes(name: &str) -> Result<Schemes, KnowledgeError> {
+    let read = example(name);
+    find(&read, read.shaft.as_ref().unwrap(), &KNOWLEDGE)
+}
+
+fn example(name: &str) -> Workpiece {
     let file = File::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{name}.yaml"));
     let text = fs::read_to_string(file).unwrap();
-    read_shaft(name, &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}"))
+    read_turned(name, &text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}"))
 }
 
 /// 12.4-1, 12.4-2, 12.4-3, 12.4-4, 12.4-5: the lecture, 12.4 a-e (l. 608-650), for a bar Ø80 and a limiting depth of 4 mm:
@@ -42,13 +54,13 @@ fn example(name: &str) -> Shaft {
 /// - e: 40 − 3.8 = 36.2, 32.4, 28.6, and the last at the cylinder itself, 25.6: Ø72.4, 64.8, 57.2, 51.2.
 #[test]
 fn the_zone_is_split_as_the_lecture_does() {
-    let levels = Levels::of(&example("shaft-three-cylinders"));
+    let levels = levels(&example("shaft-three-cylinders"));
     let stocks = &levels.cylinders;
     assert_eq!(stocks.iter().map(|one| one.stock).collect::<Vec<_>>(), [mm(14.4), mm(7.6), mm(3.5)]);
     assert_eq!(stocks.iter().map(|one| one.passes).collect::<Vec<_>>(), [4, 2, 1]);
     assert_eq!(stocks.iter().map(|one| one.mean).collect::<Vec<_>>(), [mm(3.6), mm(3.8), mm(3.5)]);
     assert_eq!((levels.limit, levels.depth), (mm(4.0), mm(3.8)));
-    let found = find(&example("shaft-three-cylinders"), &KNOWLEDGE).unwrap();
+    let found = schemes("shaft-three-cylinders").unwrap();
     let horizontals: Vec<String> =
         found.splitting.horizontals[0].diameters_mm.iter().map(ToString::to_string).collect();
     assert_eq!(horizontals, ["72.4", "64.8", "57.2", "51.2"]);
@@ -59,7 +71,7 @@ fn the_zone_is_split_as_the_lecture_does() {
 /// t2 = 2·t_p (point 2 lies on the second level in fig. 12.7 and 12.9 a), 3·t_p < t1 < 4·t_p, t_p < t3 < 2·t_p.
 fn figure() -> Levels {
     let shaft = shaft(80_000, &[(51_200, 30_000), (64_800, 25_000), (70_000, 20_000)], 4_000, 3_000, Division::Full);
-    Levels { depth: mm(3.8), ..Levels::of(&shaft) }
+    Levels { depth: mm(3.8), ..levels(&workpiece(&shaft)) }
 }
 
 fn names(scheme: Scheme, levels: &Levels) -> String {
@@ -117,7 +129,7 @@ fn horizontals_a_visit_the_points_in_the_order_of_figure_12_9_a() {
 #[test]
 fn horizontals_b_visit_the_points_in_the_order_of_figure_12_9_b() {
     let shaft = shaft(80_000, &[(51_200, 30_000), (64_000, 25_000), (70_000, 20_000)], 4_000, 3_000, Division::Full);
-    let levels = Levels { depth: mm(3.8), ..Levels::of(&shaft) };
+    let levels = Levels { depth: mm(3.8), ..levels(&workpiece(&shaft)) };
     assert_eq!(working(Scheme::HorizontalsB, &levels), "A 4 5 6 7 8 9 1 10 2 11 3 12 A");
 }
 
@@ -141,7 +153,7 @@ fn horizontals_b_visit_the_points_in_the_order_of_figure_12_9_b() {
 fn lengths_and_time_of_a_path_are_those_of_its_motions() {
     let mut shaft = shaft(40_000, &[(30_000, 10_000)], 4_000, 4_000, Division::Full);
     shaft.blank.length = Micrometres::from_mm(20);
-    let levels = Levels::of(&shaft);
+    let levels = levels(&workpiece(&shaft));
     for scheme in [Scheme::Verticals, Scheme::Levels, Scheme::HorizontalsA] {
         let measures = measure(&path(scheme, &levels), &rates());
         assert_eq!((measures.cutting_mm, measures.passes), (mm(25.0), 2), "{scheme:?}");
@@ -156,7 +168,7 @@ fn lengths_and_time_of_a_path_are_those_of_its_motions() {
 /// none ahead of the third, which runs out.
 #[test]
 fn zones_and_their_schemes_come_from_the_rules() {
-    let found = find(&example("shaft-three-cylinders"), &KNOWLEDGE).unwrap();
+    let found = schemes("shaft-three-cylinders").unwrap();
     let schemes = |zone: &SchemeZone| zone.schemes.iter().map(|scheme| scheme.name()).collect::<Vec<_>>().join("+");
     let zones: Vec<(&str, String)> = found.zones.iter().map(|zone| (zone.zone.name(), schemes(zone))).collect();
     let of = |zone, schemes: &str| (zone, schemes.to_owned());
@@ -168,7 +180,7 @@ fn zones_and_their_schemes_come_from_the_rules() {
 /// first section, 15 and 6 in the second; n = 2, 1, 4, 2; means 3.5, 3, 3.75, 3: t_p = 3.75 for both.
 #[test]
 fn a_stepped_blank_has_a_section_under_each_of_its_diameters() {
-    let levels = Levels::of(&example("shaft-forging"));
+    let levels = levels(&example("shaft-forging"));
     let stocks = &levels.cylinders;
     assert_eq!(stocks.iter().map(|one| one.stock).collect::<Vec<_>>(), [mm(7.0), mm(3.0), mm(15.0), mm(6.0)]);
     assert_eq!(levels.depth, mm(3.75));
@@ -243,8 +255,8 @@ impl Stock {
 }
 
 /// Every scheme takes all the stock and nothing else, no pass deeper than t_p and t_p not above the limit.
-fn carry_out(shaft: &Shaft) {
-    let levels = Levels::of(shaft);
+fn carry_out(workpiece: &Workpiece) {
+    let (levels, shaft) = (levels(workpiece), workpiece.shaft.as_ref().unwrap());
     assert!(levels.depth <= levels.limit, "{:?}", levels.depth);
     for &(_, scheme) in Scheme::NAMES {
         let mut stock = Stock::of(shaft);
@@ -277,7 +289,7 @@ fn forgings() -> impl Strategy<Value = Shaft> {
             largest = largest.max(part + Micrometres::new(over));
             shaft.blank_steps.push(Step { diameter: largest, length: Micrometres::new(length) });
         }
-        shaft.blank.kind = BlankKind::Forging;
+        shaft.blank.kind = StockKind::Forging;
         shaft.blank.diameter = shaft.blank.diameter.max(largest);
         shaft
     })
@@ -330,7 +342,7 @@ fn json_has_schemes_with_their_points() {
 #[test]
 fn the_drawing_has_every_motion_of_every_scheme() {
     let drawing = turn(&["examples/shaft-forging.yaml", "--format", "svg"]);
-    let found = find(&example("shaft-forging"), &KNOWLEDGE).unwrap();
+    let found = schemes("shaft-forging").unwrap();
     let motions = found.schemes.iter().flat_map(|scheme| scheme.points.iter().map(|point| &point.vertex).skip(1));
     let (rapids, feeds): (Vec<&Vertex>, Vec<&Vertex>) = motions.partition(|vertex| vertex.motion == Motion::Rapid);
     assert_eq!(drawing.matches("stroke=\"#cc79a7\" stroke-width=\"0.9\"").count(), rapids.len() + 1);
@@ -339,8 +351,8 @@ fn the_drawing_has_every_motion_of_every_scheme() {
 
 #[test]
 fn a_shaft_as_large_as_its_blank_has_no_schemes() {
-    let found = find(&shaft(40_000, &[(40_000, 10_000)], 4_000, 4_000, Division::Full), &KNOWLEDGE);
-    let found = found.unwrap();
+    let shaft = shaft(40_000, &[(40_000, 10_000)], 4_000, 4_000, Division::Full);
+    let found = find(&workpiece(&shaft), &shaft, &KNOWLEDGE).unwrap();
     assert!(found.schemes.is_empty() && found.findings.is_empty());
 }
 
@@ -358,11 +370,11 @@ proptest! {
     fn every_scheme_takes_all_the_stock_and_nothing_else(shaft in shafts(80), longer in 0_i64..3) {
         let mut shaft = shaft;
         shaft.blank.length = shaft.blank.length + Micrometres::from_mm(longer);
-        carry_out(&shaft);
+        carry_out(&workpiece(&shaft));
     }
 
     #[test]
     fn every_scheme_clears_stepped_blanks_too(shaft in forgings()) {
-        carry_out(&shaft);
+        carry_out(&workpiece(&shaft));
     }
 }

@@ -82,7 +82,7 @@ fn a_drill_is_set_on_the_axis() {
 fn a_reamer_touches_a_face_with_its_front() {
     let everyday = |name: &str| {
         let path = format!("{}/tests/everyday/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
-        read_turned(&path, &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap().into_workpiece()
+        read_turned(&path, &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap()
     };
     for (name, work) in [("reamed", Work::CoreDrill), ("reamed", Work::Ream), ("pot", Work::Flatten)] {
         let sheet = setting(&planned(&everyday(name)), "linuxcnc", &KNOWLEDGE).unwrap();

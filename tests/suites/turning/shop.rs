@@ -6,7 +6,7 @@ use technolog::turning::jobs::{Job, Work};
 use technolog::turning::operation::Operation;
 use technolog::turning::program::Speed;
 use technolog::turning::toolpath::Purpose;
-use technolog::turning::workpiece::read_workpiece;
+use technolog::turning::workpiece::read_turned;
 use technolog_testing::KNOWLEDGE;
 
 use super::operation::planned;
@@ -16,7 +16,7 @@ fn shaft(machine: &str, bar: u32, outer: &str) -> Operation {
         "shaft: Shaft\nmaterial: steel-45\nblank: {{kind: bar, diameter: {bar}, length: 160, face: 1}}\nmachine: \
          {machine}\nouter:\n  - {{from: {{d: 0, z: 0}}}}\n{outer}"
     );
-    planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap())
+    planned(&read_turned("part", &text, &KNOWLEDGE).unwrap())
 }
 
 const STEPPED: &str = "  - {face: 30}\n  - {cylinder: -40}\n  - {face: 45}\n  - {cylinder: -70}\n  - {face: 60}\n  - \

@@ -4,7 +4,7 @@ use technolog::note::Severity;
 use technolog::turning::length::Half;
 use technolog::turning::operation::Operation;
 use technolog::turning::operation::programs::{Form, programs};
-use technolog::turning::workpiece::{Turned, Workpiece, read_turned};
+use technolog::turning::workpiece::read_turned;
 use technolog_testing::KNOWLEDGE;
 
 use crate::operation::planned;
@@ -26,10 +26,7 @@ outer:
 ",
         blank = body + 4
     );
-    match read_turned("part", &text, &KNOWLEDGE).unwrap() {
-        Turned::Contoured(workpiece) => planned(&workpiece),
-        Turned::Stepped(shaft) => planned(&Workpiece::from(&shaft)),
-    }
+    planned(&read_turned("part", &text, &KNOWLEDGE).unwrap())
 }
 
 /// What meets the tailstock, and how grave it is.
@@ -81,7 +78,7 @@ fn programs_between_centres_leave_by_x_and_come_by_z() {
 fn a_long_shaft_is_held_in_the_chuck_and_at_a_centre() {
     let path = format!("{}/tests/everyday/long-shaft.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap();
-    let of = |text: &str| planned(&read_turned(&path, text, &KNOWLEDGE).unwrap().into_workpiece());
+    let of = |text: &str| planned(&read_turned(&path, text, &KNOWLEDGE).unwrap());
     let codes = |operation: &Operation| {
         let wrong = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
         wrong.map(|finding| finding.note.code().to_owned()).collect::<Vec<_>>()

@@ -16,7 +16,7 @@ use technolog::units::RevsPerMinute;
 use technolog_testing::KNOWLEDGE;
 
 fn read_part(path: &str, text: &str) -> Operation {
-    plan(&read_turned(path, text, &KNOWLEDGE).unwrap().into_workpiece(), &KNOWLEDGE).unwrap()
+    plan(&read_turned(path, text, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap()
 }
 
 fn text(name: &str) -> String {

@@ -173,7 +173,7 @@ fn drafts() -> impl Strategy<Value = Draft> {
 
 fn planned(text: &str) -> Result<Operation, String> {
     let turned = read_turned("part", text, &KNOWLEDGE).map_err(|faults| format!("{faults:?}"))?;
-    Ok(plan(&turned.into_workpiece(), &KNOWLEDGE).unwrap())
+    Ok(plan(&turned, &KNOWLEDGE).unwrap())
 }
 
 fn wrong(operation: &Operation) -> Vec<String> {

@@ -14,7 +14,7 @@ use technolog::turning::operation::proof::{motions, prove_set_up, rejects};
 use technolog::turning::operation::setting::setting;
 use technolog::turning::program::{Control, NotCycled};
 use technolog::turning::toolpath::Purpose;
-use technolog::turning::workpiece::{Workpiece, read_workpiece};
+use technolog::turning::workpiece::{Workpiece, read_turned};
 use technolog_testing::KNOWLEDGE;
 use technolog_turning_proof::{At, Fault, Mm, Motion, Piece, What};
 
@@ -48,7 +48,7 @@ fn a_thread_is_good_within_the_limits_of_its_pitch_diameter() {
     const NUT: &str = "shaft: Nut\nmaterial: steel-45\nblank: {kind: bar, diameter: 60, length: 90, face: 1}\n\
          machine: 16k20f3\nouter:\n  - {from: {d: 34, z: 0}}\n  - {face: 56}\n  - {cylinder: -40}\n\
          inner:\n  - {from: {d: 34, z: 0}}\n  - {thread: M36x2-6H, to: -40}\n";
-    let nut = read_workpiece("part", NUT, &KNOWLEDGE).unwrap();
+    let nut = read_turned("part", NUT, &KNOWLEDGE).unwrap();
     for (part, half, inwards) in [(&example("turned-stepped"), 0.0425, -1.0), (&nut, 0.056, 1.0)] {
         for out in [0.0, 0.04, -0.04] {
             assert_eq!(thread_faults(part, out), [], "{}: {out}", part.name);
@@ -74,7 +74,7 @@ fn threaded() -> Vec<Workpiece> {
              outer:\n  - {{from: {{d: 0, z: 0}}}}\n  - {{face: 20}}\n  - {{thread: {thread}, to: -30}}\n  \
              - {{groove: thread-relief}}\n  - {{face: 40}}\n  - {{cylinder: -60}}\n"
         );
-        read_workpiece("part", &text, &KNOWLEDGE).unwrap()
+        read_turned("part", &text, &KNOWLEDGE).unwrap()
     };
     vec![shaft("M20x1.5-6g"), shaft("M20x2.5-6g"), shaft("M20x1-6g"), example("turned-stepped")]
 }
@@ -225,7 +225,7 @@ fn a_thread_is_turned_in_any_bore_below_its_nominal_diameter() {
              16k20f3\nouter:\n  - {{from: {{d: {bore}, z: 0}}}}\n  - {{face: 60}}\n  - {{cylinder: -40}}\ninner:\n  \
              - {{from: {{d: {bore}, z: 0}}}}\n  - {{thread: M36x2-6H, to: -40}}\n"
         );
-        planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap())
+        planned(&read_turned("part", &text, &KNOWLEDGE).unwrap())
     };
     let wide = |operation: &Operation| -> Option<String> {
         let told = operation.findings.iter().find(|finding| finding.note.code() == "thread-bored-wide")?;

@@ -9,7 +9,7 @@ use technolog::turning::contour::{Curve, Piece, Profile, Side, Surface, SurfaceK
 use technolog::turning::jobs::Work;
 use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::operation::{Operation, SizeOf};
-use technolog::turning::workpiece::read_workpiece;
+use technolog::turning::workpiece::read_turned;
 use technolog::units::RevsPerMinute;
 use technolog_testing::{KNOWLEDGE, turned};
 use technolog_turning_proof::{Mm, Stock};
@@ -167,7 +167,7 @@ pub(crate) fn removed(operation: &Operation) -> Option<Removed> {
 fn programs_remove_blank_less_part() {
     for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/turned-whole")).unwrap() {
         let path = entry.unwrap().path();
-        let operation = planned(&read_workpiece("part", &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap());
+        let operation = planned(&read_turned("part", &std::fs::read_to_string(&path).unwrap(), &KNOWLEDGE).unwrap());
         let Some(removed) = removed(&operation) else { panic!("{}: a program is not read", path.display()) };
         assert!(removed.differs() < 0.001, "{}: {removed:?}", path.display());
     }
@@ -178,7 +178,7 @@ proptest! {
 
     #[test]
     fn programs_of_any_whole_part_remove_blank_less_part(draft in turned::drafts()) {
-        let read = read_workpiece("part", &draft.text(), &KNOWLEDGE);
+        let read = read_turned("part", &draft.text(), &KNOWLEDGE);
         prop_assume!(read.is_ok());
         let operation = planned(&read.unwrap());
         prop_assume!(!operation.has_errors());

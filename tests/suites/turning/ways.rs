@@ -10,11 +10,11 @@ use technolog::audit::turned::read_back;
 use technolog::note::Severity;
 use technolog::turning::operation::programs::{Form, programs};
 use technolog::turning::passes::cost::Objective;
-use technolog::turning::shaft::read_shaft;
 use technolog::turning::ways::{Way, Ways, find};
+use technolog::turning::workpiece::read_turned;
 use technolog::units::RevsPerMinute;
 use technolog_testing::KNOWLEDGE;
-use technolog_testing::shafts::shafts;
+use technolog_testing::shafts::{shafts, workpiece};
 
 const EXAMPLES: [&str; 4] = ["shaft", "shaft-three-cylinders", "shaft-forging", "shaft-six-steps"];
 const CONTROLS: [&str; 3] = ["linuxcnc", "fanuc", "sinumerik"];
@@ -26,7 +26,7 @@ fn text(name: &str) -> String {
 }
 
 fn ways(text: &str) -> Ways {
-    find(&read_shaft("shaft", text, &KNOWLEDGE).unwrap(), Objective::Path, &KNOWLEDGE).unwrap()
+    find(&read_turned("shaft", text, &KNOWLEDGE).unwrap(), Objective::Path, &KNOWLEDGE).unwrap().unwrap()
 }
 
 fn turn(args: &[&str]) -> String {
@@ -166,7 +166,7 @@ proptest! {
     /// Whatever the shaft: a way that holds is written for every control and read back, and one of them is the answer.
     #[test]
     fn every_way_that_holds_is_written(shaft in shafts(60)) {
-        let found = find(&shaft, Objective::Path, &KNOWLEDGE).unwrap();
+        let found = find(&workpiece(&shaft), Objective::Path, &KNOWLEDGE).unwrap().unwrap();
         let hold: Vec<&Way> = found.ways.iter().filter(|way| way.refused.is_none()).collect();
         prop_assert_eq!(found.recommended.as_ref().is_some_and(|answer| answer.variant.is_some()), !hold.is_empty());
         for way in hold {

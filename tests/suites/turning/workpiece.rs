@@ -10,8 +10,7 @@ use technolog::report::Lang;
 use technolog::turning::contour::{Curve, Piece, Side, SurfaceKind, SurfaceName, Turn};
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
-use technolog::turning::shaft::read_shaft;
-use technolog::turning::workpiece::{Allowances, Turned, Workpiece, blank, read_turned};
+use technolog::turning::workpiece::{Allowances, HeatTreatment, JawKind, Workpiece, blank, read_turned};
 use technolog_testing::KNOWLEDGE;
 
 fn text(example: &str) -> String {
@@ -19,10 +18,7 @@ fn text(example: &str) -> String {
 }
 
 fn read(text: &str) -> Workpiece {
-    match read_turned("part", text, &KNOWLEDGE) {
-        Ok(Turned::Contoured(workpiece)) => *workpiece,
-        other => panic!("{other:?}"),
-    }
+    read_turned("part", text, &KNOWLEDGE).unwrap_or_else(|mistakes| panic!("{mistakes:?}"))
 }
 
 fn example(name: &str) -> Workpiece {
@@ -85,10 +81,7 @@ fn a_material_may_be_in_a_state() {
         .lines()
         .map(|line| if line.starts_with("material: ") { format!("{line}, strength: 900}}") } else { line.to_owned() })
         .collect();
-    let Ok(Turned::Stepped(shaft)) = read_turned("shaft", &stepped.join("\n"), &KNOWLEDGE) else {
-        panic!("{stepped:?}")
-    };
-    assert_eq!(shaft.material_state.unwrap().strength, Some(900.0));
+    assert_eq!(read(&stepped.join("\n")).material_state.unwrap().strength, Some(900.0));
 }
 
 #[test]
@@ -289,14 +282,12 @@ fn a_blank_may_have_the_contour_of_the_part() {
     assert!(mistakes.iter().all(|one| one.code() == "part-beyond-blank"), "{mistakes:?}");
 }
 
-/// The short form stays as it is, and becomes a workpiece whose diameters are those after roughing.
+/// The short form is a workpiece whose diameters are those after roughing, and keeps its steps for the search of the paper.
 #[test]
-fn a_stepped_shaft_becomes_a_workpiece() {
+fn a_stepped_shaft_is_a_workpiece() {
     for name in ["shaft", "shaft-six-steps", "shaft-three-cylinders", "shaft-forging"] {
-        let text = text(name);
-        let shaft = read_shaft("shaft", &text, &KNOWLEDGE).unwrap();
-        assert_eq!(read_turned("shaft", &text, &KNOWLEDGE).unwrap(), Turned::Stepped(shaft.clone()));
-        let workpiece = Workpiece::from(&shaft);
+        let workpiece = example(name);
+        let shaft = workpiece.shaft.as_ref().unwrap();
         let contour = workpiece.outer.contour();
         assert!(contour.hangs_together() && contour.is_stepped() && contour.is_monotone());
         let mut z = Half::ZERO;
@@ -312,11 +303,30 @@ fn a_stepped_shaft_becomes_a_workpiece() {
         assert_eq!(workpiece.allowances, Allowances::Stated { on_diameter: zero, on_face: zero });
         assert_eq!(workpiece.blank.length(), Half::of(shaft.blank.length));
     }
-    let forging = Workpiece::from(&read_shaft("shaft", &text("shaft-forging"), &KNOWLEDGE).unwrap());
+    let forging = example("shaft-forging");
     assert_eq!(
         forging.blank.outer.corners(),
         [at(0.0, 0.0), at(56.0, 0.0), at(56.0, -48.0), at(80.0, -48.0), at(80.0, -110.0)]
     );
+}
+
+/// A stepped shaft is held and treated like any part; what its diameters after roughing leave no room for is an unknown key, as are
+/// the limits of roughing of a contour.
+#[test]
+fn steps_are_a_part_like_any() {
+    let text = text("shaft-six-steps");
+    let more = format!("{text}jaws: full-grip\nheat_treatment: after\n");
+    let workpiece = read(&more);
+    assert_eq!((workpiece.jaws, workpiece.heat_treatment), (JawKind::FullGrip, HeatTreatment::After));
+    for wrong in ["allowances: {method: table}\n", "inner: [{from: {d: 0, z: 0}}]\n", "outre: []\n"] {
+        let mistakes = read_turned("part", &format!("{text}{wrong}"), &KNOWLEDGE).unwrap_err();
+        let codes: Vec<&str> = mistakes.iter().map(|one| one.code()).collect();
+        assert_eq!(codes, ["unknown-key"], "{wrong}");
+    }
+    let wrong = text.replace("roughing: {", "roughing: {limiting_depth: 2, ");
+    assert_ne!(wrong, text);
+    let mistakes = read_turned("part", &wrong, &KNOWLEDGE).unwrap_err();
+    assert_eq!(mistakes.iter().map(|one| one.code()).collect::<Vec<_>>(), ["unknown-key"]);
 }
 
 /// A well-formed outer contour: its items as they are written, and the pieces that they mean.
@@ -429,8 +439,7 @@ proptest! {
                 prop_assert!(!mistakes.is_empty(), "{spoilt}");
                 prop_assert!(mistakes.iter().all(|one| one.place().is_some()), "{mistakes:?}");
             }
-            Ok(Turned::Contoured(workpiece)) => prop_assert!(workpiece.outer.contour().hangs_together()),
-            Ok(Turned::Stepped(_)) => {}
+            Ok(workpiece) => prop_assert!(workpiece.outer.contour().hangs_together()),
         }
     }
 }

@@ -14,7 +14,7 @@ use technolog::turning::zones::{
 };
 use technolog::units::Degrees;
 use technolog_testing::KNOWLEDGE;
-use technolog_testing::shafts::shaft;
+use technolog_testing::shafts::{shaft, workpiece};
 
 /// Read once: the laws below ask often.
 fn mm(length: f64) -> Half {
@@ -275,7 +275,7 @@ fn flange() -> Profile {
 fn part(outer: &Profile, inner: Option<&Profile>, blank: &Contour) -> Workpiece {
     let bar = Blank { kind: StockKind::Bar, outer: blank.clone(), inner: None, length_tolerance: None };
     let (outer, inner, allowances) = (outer.clone(), inner.cloned(), Allowances::Table);
-    let other = Workpiece::from(&shaft(40_000, &[(30_000, 10_000)], 4_000, 4_000, Division::Full));
+    let other = workpiece(&shaft(40_000, &[(30_000, 10_000)], 4_000, 4_000, Division::Full));
     Workpiece { outer, inner, blank: bar, allowances, ..other }
 }
 

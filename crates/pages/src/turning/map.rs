@@ -7,7 +7,6 @@ use super::phrases::word;
 use crate::document::{Column, Document, Keep};
 use technolog_turning::passes::map::{Ratio, settled};
 use technolog_turning::passes::pass::PassDirection;
-use technolog_turning::shaft::Shaft;
 use technolog_words::say;
 
 const NAMES: [&str; 3] = ["longitudinal", "transverse", "per-step"];
@@ -19,12 +18,12 @@ const HEIGHT: f64 = 420.0;
 const LEFT: f64 = 64.0;
 const TOP: f64 = 64.0;
 
-fn title(shaft: &Shaft, lang: Lang) -> String {
-    say!(lang, "turn-map", shaft = &shaft.shaft)
+fn title(shaft: &str, lang: Lang) -> String {
+    say!(lang, "turn-map", shaft = shaft)
 }
 
 /// The map as a table.
-pub fn map_page(shaft: &Shaft, map: &[Ratio], lang: Lang) -> Document {
+pub fn map_page(shaft: &str, map: &[Ratio], lang: Lang) -> Document {
     let mut columns = vec![Column::number("L/D", ""), Column::number("L", say!(lang, "unit-mm"))];
     columns.extend(NAMES.map(|name| Column::number(say!(lang, "turn-map-above", variant = word(name)), "%")));
     columns.push(Column::text(say!(lang, "turn-map-best")).keep(Keep::Optional));
@@ -46,7 +45,7 @@ pub fn map_page(shaft: &Shaft, map: &[Ratio], lang: Lang) -> Document {
 }
 
 /// The map as a plot: length to diameter along, on a power scale; per cent above the optimum up.
-pub fn map_drawing(shaft: &Shaft, map: &[Ratio], lang: Lang) -> String {
+pub fn map_drawing(shaft: &str, map: &[Ratio], lang: Lang) -> String {
     let mut canvas = Canvas::default();
     let place = |ratio: f64, percent: f64| -> At {
         let along = (libm::log10(ratio) + 1.0) / 2.0;

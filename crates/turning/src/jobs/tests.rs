@@ -5,7 +5,7 @@ use crate::shipped;
 use crate::turning::operation::Sizes;
 use crate::turning::operation::tools::Bench;
 use crate::turning::tooling::Lathe;
-use crate::turning::workpiece::{Workpiece, read_workpiece};
+use crate::turning::workpiece::{Workpiece, read_turned};
 
 /// A part out of a bar of 120 mm on a 16K20F3, by the lists of its file.
 pub fn part(outer: &str, inner: &str, material: &str) -> Workpiece {
@@ -14,7 +14,7 @@ pub fn part(outer: &str, inner: &str, material: &str) -> Workpiece {
         "shaft: P\nmaterial: {material}\nblank: {{kind: bar, diameter: 120, length: 130, face: 1}}\nmachine: 16k20f3\n\
          outer:\n{outer}{inner}"
     );
-    read_workpiece("part", &text, &shipped::knowledge().unwrap()).unwrap_or_else(|faults| panic!("{faults:?}"))
+    read_turned("part", &text, &shipped::knowledge().unwrap()).unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 
 /// A plain part of a material.

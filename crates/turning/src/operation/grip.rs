@@ -329,7 +329,7 @@ mod tests {
     use super::*;
     use crate::shipped;
     use crate::turning::operation::plan;
-    use crate::turning::workpiece::read_workpiece;
+    use crate::turning::workpiece::read_turned;
     use crate::units::NewtonMetres;
 
     /// 100 N·m on Ø50 are 4000 N around, with 3000 N along the axis 5000 N.
@@ -356,7 +356,7 @@ mod tests {
         let part = "shaft: P\nmaterial: steel-45\nblank: {kind: bar, diameter: 50, length: 80, face: 1}\n\
                     machine: 16k20f3\nouter:\n  - {from: {d: 0, z: 0}}\n  - {face: 30}\n  - {cylinder: -40}\n  - \
                     {face: 46}\n  - {cylinder: -50}\n";
-        let workpiece = read_workpiece("part", part, &knowledge).unwrap();
+        let workpiece = read_turned("part", part, &knowledge).unwrap();
         let operation = plan(&workpiece, &knowledge).unwrap();
         let grips: Vec<&Grip> = operation.set_ups.iter().filter_map(|set_up| set_up.grip.as_ref()).collect();
         let frictions: Vec<f64> = grips.iter().map(|grip| grip.friction).collect();

@@ -90,7 +90,7 @@ mod tests {
             - {thread: M24x1.5-6g, to: -30}\n  - {groove: thread-relief}\n  - {face: 28}\n  - {chamfer: 1}\n  \
             - {cylinder: -70}\n  - {face: 44}\n  - {chamfer: 1}\n  - {cylinder: -130}\n\
             inner:\n  - {from: {d: 10, z: 0}}\n  - {cylinder: -30}\n  - {face: 0}\n";
-        let part = read_turned("stud.yaml", text, &knowledge).unwrap().into_workpiece();
+        let part = read_turned("stud.yaml", text, &knowledge).unwrap();
         let attempt = plan_without(&part, &[], true, &knowledge).unwrap();
         let (mut operation, planned) = (attempt.operation, attempt.planned);
         let threads = operation.set_ups.iter_mut().flat_map(|one| &mut one.jobs).find(|job| job.work == Work::Thread);

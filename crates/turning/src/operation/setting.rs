@@ -300,7 +300,7 @@ mod tests {
     use crate::shipped;
     use crate::tables::controls::lathe::TipNumbering;
     use crate::turning::operation::plan;
-    use crate::turning::workpiece::read_workpiece;
+    use crate::turning::workpiece::read_turned;
 
     const PART: &str = "shaft: P\nmaterial: steel-45\nblank: {kind: bar, diameter: 50, length: 80, face: 1}\n\
                         machine: 16k20f3\nouter:\n  - {from: {d: 0, z: 0}}\n  - {face: 30}\n  - {cylinder: -40}\n  - \
@@ -308,7 +308,7 @@ mod tests {
 
     fn of(control: &str) -> Setting {
         let knowledge = shipped::knowledge().unwrap();
-        let workpiece = read_workpiece("part", PART, &knowledge).unwrap();
+        let workpiece = read_turned("part", PART, &knowledge).unwrap();
         setting(&plan(&workpiece, &knowledge).unwrap(), control, &knowledge).unwrap()
     }
 

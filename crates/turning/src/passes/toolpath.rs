@@ -56,9 +56,10 @@ pub fn toolpath(passes: &[Pass], bar: Half, rates: &Rates, beyond: Half) -> Tool
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tables::turning::part::StockKind;
     use crate::turning::passes::grid::Grid;
     use crate::turning::passes::variants::one_direction;
-    use crate::turning::shaft::{Blank, BlankKind, Division, Holding, Moves, Roughing, Shaft, Step};
+    use crate::turning::shaft::{Blank, Division, Moves, Roughing, Shaft, Step};
     use crate::units::{Micrometres, MillimetresPerMinute};
 
     /// The paper's shaft, its first level by hand: from home at Ø69, Z 2 to Ø57, along to Z −34, off by 0.5.
@@ -66,13 +67,8 @@ mod tests {
     fn the_first_level_of_the_papers_shaft() {
         let mm = |length: f64| Micrometres::from_mm_rounded(length);
         let shaft = Shaft {
-            shaft: "a".to_owned(),
-            material: "steel-45".to_owned(),
-            machine: None,
-            material_state: None,
-            blank: Blank { kind: BlankKind::Bar, diameter: mm(65.0), length: mm(34.0) },
+            blank: Blank { kind: StockKind::Bar, diameter: mm(65.0), length: mm(34.0) },
             blank_steps: Vec::new(),
-            holding: Holding::Chuck,
             steps: vec![Step { diameter: mm(40.0), length: mm(16.0) }, Step { diameter: mm(50.0), length: mm(18.0) }],
             roughing: Roughing {
                 longitudinal_depth: mm(4.0),

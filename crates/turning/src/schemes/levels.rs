@@ -7,9 +7,9 @@
 use serde::Serialize;
 
 use crate::turning::length::{Half, as_diameter, negative_z};
-use crate::turning::shaft::Shaft;
 use crate::turning::transitions::split::Split;
 use crate::turning::workpiece::Workpiece;
+use crate::units::Micrometres;
 
 /// A cylinder of the rough contour under one diameter of the blank, and the stock over it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -54,11 +54,10 @@ pub struct Levels {
 }
 
 impl Levels {
-    /// The levels of a shaft for its limiting depth, `roughing.longitudinal_depth`.
-    pub fn of(shaft: &Shaft) -> Self {
-        let workpiece = Workpiece::from(shaft);
+    /// The levels of a stepped workpiece for a limiting depth.
+    pub fn of(workpiece: &Workpiece, limit: Micrometres) -> Self {
         let (rough, blank) = (workpiece.outer.contour(), &workpiece.blank.outer);
-        let limit = Half::of(shaft.roughing.longitudinal_depth);
+        let limit = Half::of(limit);
         let Split { depth, sections } = Split::of(&rough, blank, limit);
         let top = |z: Half| {
             let beyond = z + Half::new(1);

@@ -21,6 +21,7 @@ use crate::units::Micrometres;
 
 use super::length::Half;
 use super::shaft::{Rates, Shaft};
+use super::workpiece::Workpiece;
 use levels::{Cylinder, Levels};
 use removal::Scheme;
 use report::{SchemeMeasures, SchemePoint};
@@ -78,12 +79,12 @@ pub struct SchemeEntry {
     pub preference: i64,
 }
 
-/// Finds levels, zones and schemes of a shaft.
+/// Finds levels, zones and schemes of a workpiece that is a stepped shaft.
 ///
 /// # Errors
 /// The knowledge base lacks one of the rules.
-pub fn find(shaft: &Shaft, knowledge: &Knowledge) -> Result<Schemes, KnowledgeError> {
-    let levels = Levels::of(shaft);
+pub fn find(workpiece: &Workpiece, shaft: &Shaft, knowledge: &Knowledge) -> Result<Schemes, KnowledgeError> {
+    let levels = Levels::of(workpiece, shaft.roughing.longitudinal_depth);
     let (rates, mut findings) = rates::rates(shaft, knowledge)?;
     let zones = zones::zones(&levels, knowledge)?;
     let mut schemes = Vec::new();

@@ -40,9 +40,12 @@ impl Blank {
         }
     }
 
-    /// The same with steps from the free end; behind them it has its full diameter.
+    /// The same with steps from the free end, if there are any; behind them it has its full diameter.
     #[must_use]
     pub fn with_steps(self, steps: &[Step]) -> Self {
+        if steps.is_empty() {
+            return self;
+        }
         let (radius, end) = (Half::radius_of(self.largest_diameter()), self.end());
         let mut points = corners(Half::ZERO - self.face(), steps);
         if let Some(last) = points.last().copied().filter(|last| last.z < end) {

@@ -1,4 +1,4 @@
-//! The file of a turned part as its author writes it, in either form: the source of docs/shaft.schema.json, which editors
+//! The file of a turned part as its author writes it: the source of docs/shaft.schema.json, which editors
 //! use for completion.
 //!
 //! These types say which keys there are and what they hold. [`super::read_turned`] takes the keys from them, and reads the
@@ -9,27 +9,19 @@ use serde::Deserialize;
 use technolog_core::part::file::MaterialField;
 use technolog_knowledge::forms;
 
-use crate::turning::shaft::Holding;
-use crate::turning::shaft::file::{ShaftFile, Size, Step};
+use crate::turning::shaft::{Division, Holding, Moves};
 
 use super::item_file::ItemFile;
 use super::{HeatTreatment, JawKind, Scheme, StockKind};
 
-/// The JSON Schema of the file of a turned part, in either form.
+/// The JSON Schema of the file of a turned part.
 pub fn schema() -> Schema {
-    schema_for!(TurnedFile)
+    schema_for!(WorkpieceFile)
 }
 
-/// A part to be turned by `technolog turn`. All lengths are in mm.
+/// A length above zero, mm, with a decimal point and at most three decimal places.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(untagged)]
-#[expect(clippy::large_enum_variant, reason = "it stands for the schema only")]
-pub enum TurnedFile {
-    /// The short form, by steps.
-    Stepped(ShaftFile),
-    /// The contour form.
-    Contoured(Box<WorkpieceFile>),
-}
+pub struct Size(#[schemars(range(min = 0.001, max = 100_000.0))] pub f64);
 
 /// A length of zero or more, mm, with a decimal point and at most three decimal places.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -83,7 +75,9 @@ forms! {
         pub zero: Option<(f64, f64)>,
     }
 
-    /// A turned part by its contour. All lengths are in mm; diameters across, Z along the axis.
+    /// A part to be turned by `technolog turn`, by its contour (`outer`) or, for short, by its cylinders (`steps`). All lengths
+    /// are in mm; diameters across, Z along the axis.
+    #[schemars(extend("oneOf" = [{"required": ["outer"]}, {"required": ["steps", "roughing"]}]))]
     pub struct WorkpieceFile {
         /// Name of the part.
         pub shaft: String,
@@ -92,7 +86,7 @@ forms! {
         pub material: MaterialField,
         /// What it is made from.
         pub blank: BlankFile,
-        /// The id of a lathe.
+        /// The id of a lathe, such as `16k20f3`; without it no speeds and loads are told.
         pub machine: Option<String>,
         /// How it is held; in the chuck unless said.
         pub holding: Option<Holding>,
@@ -103,15 +97,19 @@ forms! {
         /// Whether and when it is heat-treated; not unless said.
         pub heat_treatment: Option<HeatTreatment>,
         /// Its outside from the axis, or from the bore, at the free end towards the chuck.
-        pub outer: ContourFile,
-        /// Its bore from the free end.
+        pub outer: Option<ContourFile>,
+        /// Short for `outer` of a stepped shaft that is only roughed: its cylinders from the free end towards the chuck, none
+        /// smaller than the one before it.
+        #[schemars(length(min = 1))]
+        pub steps: Option<Vec<Step>>,
+        /// Its bore from the free end; not with `steps`.
         pub inner: Option<ContourFile>,
         /// How roughing is bounded.
-        pub roughing: Option<ContourRoughing>,
-        /// Where finishing allowances come from; from tables unless said.
+        pub roughing: Option<RoughingFile>,
+        /// Where finishing allowances come from; from tables unless said. Not with `steps`, which are diameters after roughing.
         pub allowances: Option<AllowancesFile>,
-        /// How fast the tool moves.
-        pub rates: Option<ContourRates>,
+        /// How fast the tool moves; with `steps`, no times are told without it.
+        pub rates: Option<RatesFile>,
     }
 
     /// A steady rest, which holds the part on a cylinder of the blank.
@@ -122,7 +120,16 @@ forms! {
         pub width: Size,
     }
 
-    /// The blank of a contour form. A forging or casting has `outer` (and `inner`), or `diameter`, `length` and `steps`.
+    /// A cylinder of the shaft.
+    pub struct Step {
+        /// Its diameter after roughing.
+        pub diameter: Size,
+        /// Its length.
+        pub length: Size,
+    }
+
+    /// The blank. A forging or casting has `outer` (and `inner`), or `diameter`, `length` and `steps`. With `steps` of the part it
+    /// has neither bore, nor stock on its face, nor a contour.
     pub struct BlankFile {
         /// Its kind.
         pub kind: StockKind,
@@ -145,12 +152,20 @@ forms! {
         pub inner: Option<ContourFile>,
     }
 
-    /// How roughing is bounded.
-    pub struct ContourRoughing {
+    /// How roughing is bounded: with `outer` by `limiting_depth` and `scheme`, with `steps` by the others.
+    pub struct RoughingFile {
         /// The limiting depth of a pass, radial; computed from tool and lathe unless said.
         pub limiting_depth: Option<Size>,
         /// The scheme of passes; chosen by the rules unless said.
         pub scheme: Option<Scheme>,
+        /// Largest radial depth of a longitudinal pass.
+        pub longitudinal_depth: Option<Size>,
+        /// Largest axial depth of a transverse pass.
+        pub transverse_depth: Option<Size>,
+        /// How stock is divided between shoulders: full depths with the remainder last unless said.
+        pub division: Option<Division>,
+        /// Which moves passes may make: those of the paper unless said.
+        pub moves: Option<Moves>,
     }
 
     /// Where finishing allowances come from.
@@ -178,7 +193,7 @@ forms! {
     }
 
     /// How fast the tool moves.
-    pub struct ContourRates {
+    pub struct RatesFile {
         /// Feed of longitudinal passes, mm/min.
         pub longitudinal_feed: Size,
         /// Feed of transverse passes, mm/min.
@@ -265,9 +280,9 @@ mod tests {
         for name in ["turned-pin", "turned-ball", "turned-bushing", "turned-forging", "shaft", "shaft-forging"] {
             let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../examples/{name}.yaml"));
             let text = std::fs::read_to_string(path).unwrap();
-            serde_yaml::from_str::<TurnedFile>(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+            serde_yaml::from_str::<WorkpieceFile>(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
             let spoilt = format!("{text}colour: red\n");
-            assert!(serde_yaml::from_str::<TurnedFile>(&spoilt).is_err(), "{name}");
+            assert!(serde_yaml::from_str::<WorkpieceFile>(&spoilt).is_err(), "{name}");
         }
     }
 }

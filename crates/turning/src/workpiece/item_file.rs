@@ -4,8 +4,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 use technolog_knowledge::forms;
 
+use super::file::Size;
 use crate::knowledge::form::{Form, KeyOf};
-use crate::turning::shaft::file::Size;
 
 use super::file::{Width, Z};
 

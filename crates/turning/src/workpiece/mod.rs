@@ -1,9 +1,9 @@
-//! A turned part of any contour, its blank, and the machining data of its file: the contour form of the shaft file.
+//! A turned part of any contour, its blank, and the machining data of its file.
 //!
-//! [`read_turned`] reads either form of the file: with `steps` a [`Shaft`], with `outer` a [`Workpiece`]; it reports
-//! every mistake at once. A [`Shaft`] becomes a [`Workpiece`] by `Workpiece::from`.
+//! [`read_turned`] reads the file and reports every mistake at once. `outer` is the contour; `steps` is short for that of a
+//! stepped shaft, which then is a [`Shaft`], too.
 //!
-//! From the file to the contour: `drawn` makes items of points, `items` reads the items, `walk` makes surfaces of them, `groove` the shape of grooves,
+//! From the file to the contour: `steps` reads the short form; `drawn` makes items of points, `items` reads the items, `walk` makes surfaces of them, `groove` the shape of grooves,
 //! and `check` compares the contours with themselves and with the blank.
 
 pub mod blank;
@@ -21,7 +21,7 @@ mod read;
 mod read_blank;
 mod relief;
 mod settings;
-mod stepped;
+mod steps;
 mod thread;
 mod thread_limits;
 mod walk;
@@ -42,29 +42,8 @@ pub use blank::{Blank, StockKind};
 pub use drawn::{Drawings, files_named};
 pub use file::schema;
 pub use preparation::{Advice, advice};
-pub use read::{read_turned, read_turned_node, read_turned_with, read_workpiece};
+pub use read::{read_turned, read_turned_node, read_turned_with};
 pub use thread_limits::{ThreadLimits, ToleranceRow, longest_run_out, tolerance_rows};
-
-/// The contents of a turned part's file.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
-#[expect(clippy::large_enum_variant, reason = "a file holds one, and nobody keeps many")]
-pub enum Turned {
-    /// The short form, by steps.
-    Stepped(Shaft),
-    /// The contour form.
-    Contoured(Box<Workpiece>),
-}
-
-impl Turned {
-    /// The part by its contours, whatever its form.
-    pub fn into_workpiece(self) -> Workpiece {
-        match self {
-            Self::Stepped(shaft) => Workpiece::from(&shaft),
-            Self::Contoured(workpiece) => *workpiece,
-        }
-    }
-}
 
 /// A turned part and its blank. Z is positive from the finished face of the free end towards the chuck.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -106,6 +85,9 @@ pub struct Workpiece {
     /// The rates of the tool, if the file gives them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rates: Option<Rates>,
+    /// What the search of the paper takes of it, if its file gives it by steps.
+    #[serde(skip)]
+    pub shaft: Option<Shaft>,
     /// Findings for the reader: figures from tables that are not confirmed.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub findings: Vec<Finding>,
@@ -135,7 +117,7 @@ impl Workpiece {
         self.threads.iter().find(|thread| thread.surface == *surface)
     }
 
-    /// Whether its file gives no allowance at all: the short form, whose diameters are those after roughing.
+    /// Whether its file gives no allowance at all, as steps do, whose diameters are those after roughing.
     pub fn is_only_roughed(&self) -> bool {
         let none = Micrometres::ZERO;
         self.allowances == Allowances::Stated { on_diameter: none, on_face: none }
@@ -288,7 +270,7 @@ impl Serialize for Microns {
 /// The rates of the tool; an absent feed is found by planning.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Rates {
-    /// The rates of the short form.
+    /// The rates without which no time is told.
     #[serde(flatten)]
     pub main: shaft::Rates,
     /// Feed of cutting in.

@@ -1,56 +1,67 @@
-//! The blank of the contour form: a bar or tube by its sizes, a forging or casting by steps or contours.
+//! The blank: a bar or tube by its sizes, a forging or casting by steps or contours.
 
-use crate::knowledge::form::KeyOf;
+use crate::knowledge::form::{Form, KeyOf};
 use crate::knowledge::yaml::{Fields, Node};
 use crate::turning::contour::Side;
 use crate::turning::length::Half;
 use crate::turning::reading::{Reader, given, mistake};
-use crate::turning::shaft::BlankKind;
-use crate::turning::shaft::shape::{self, BlankShape};
+use crate::turning::shaft::{self, Step};
 use crate::units::Micrometres;
 
 use super::file::BlankFile;
 use super::items::Owner;
+use super::steps::PlacedSteps;
 use super::walk::{Walked, walk};
 use super::{Blank, StockKind, check};
 
+/// A blank as its file describes it.
+pub(super) struct ReadBlank {
+    pub(super) blank: Blank,
+    /// Its sizes, unless it has contours.
+    pub(super) sizes: Option<shaft::Blank>,
+    /// Its own steps.
+    pub(super) steps: Vec<Step>,
+}
+
 impl Reader<'_> {
-    pub(super) fn blank(&mut self, node: &Node) -> Option<Blank> {
+    /// The blank of a part, which may be given by steps.
+    pub(super) fn blank(&mut self, node: &Node, part: Option<&PlacedSteps>) -> Option<ReadBlank> {
+        type F = BlankFile;
         let mut fields = self.problems.map(node)?;
-        let kind =
-            fields.need(BlankFile::kind, &mut self.problems).and_then(|node| self.choice(node, StockKind::NAMES));
-        let length_tolerance = given(fields.take(BlankFile::length_tolerance), |node| {
-            self.not_below_zero(node, BlankFile::length_tolerance.name())
+        let kind = fields.need(F::kind, &mut self.problems).and_then(|node| match node.text() {
+            // A tube has a bore, which steps cannot describe.
+            Some("tube") if part.is_some() => self.fault(mistake!("tube-with-steps"), &node.place),
+            _ => self.choice(node, StockKind::NAMES),
         });
-        let shaped = fields.take(BlankFile::outer);
-        let blank = match (kind, shaped) {
-            (None, _) => {
+        let length_tolerance =
+            given(fields.take(F::length_tolerance), |node| self.not_below_zero(node, F::length_tolerance.name()));
+        let shaped = if part.is_some() { None } else { fields.take(F::outer) };
+        let read = match (kind, shaped) {
+            (None, _) if part.is_none() => {
                 let _ = fields.remaining();
                 None
             }
             (Some(kind @ (StockKind::Forging | StockKind::Casting)), Some(outer)) => {
-                let inner = fields.take(BlankFile::inner);
-                self.refuse(
-                    &mut fields,
-                    &[BlankFile::diameter, BlankFile::length, BlankFile::face, BlankFile::bore, BlankFile::steps],
-                    "blank-key-beside-outer",
-                    kind,
-                );
-                self.shaped(kind, outer, inner)
+                let inner = fields.take(F::inner);
+                let sizes = [F::diameter, F::length, F::face, F::bore, F::steps];
+                self.refuse(&mut fields, &sizes, "blank-key-beside-outer", kind);
+                let blank = self.shaped(kind, outer, inner);
+                blank.map(|blank| ReadBlank { blank, sizes: None, steps: Vec::new() })
             }
-            (Some(kind), shaped) => {
-                if let Some(outer) = shaped {
+            (kind, shaped) => {
+                if let (Some(outer), Some(kind)) = (shaped, kind) {
                     self.fault::<()>(
-                        mistake!("blank-key-of-another-kind", key = BlankFile::outer.name(), stock = kind.name()),
+                        mistake!("blank-key-of-another-kind", key = F::outer.name(), stock = kind.name()),
                         &outer.place,
                     );
                 }
-                self.refuse(&mut fields, &[BlankFile::inner], "blank-key-of-another-kind", kind);
-                self.sized_blank(kind, &mut fields)
+                self.sized_blank(kind, &mut fields, part)
             }
         };
-        fields.finish(&mut self.problems);
-        Some(Blank { length_tolerance: length_tolerance?, ..blank? })
+        let of_steps = [F::kind, F::diameter, F::length, F::length_tolerance, F::steps];
+        fields.finish_among(if part.is_some() { &of_steps } else { F::KEYS }, &mut self.problems);
+        let (length_tolerance, read) = (length_tolerance?, read?);
+        Some(ReadBlank { blank: Blank { length_tolerance, ..read.blank }, ..read })
     }
 
     /// Refuses keys that do not belong to this blank.
@@ -69,27 +80,40 @@ impl Reader<'_> {
     }
 
     /// A cylinder, with a bore if it is a tube, with steps if it is a forging or casting.
-    fn sized_blank(&mut self, kind: StockKind, fields: &mut Fields<'_, BlankFile>) -> Option<Blank> {
-        let diameter = self.need(fields, BlankFile::diameter);
-        let length = self.need(fields, BlankFile::length);
-        let face = match fields.take(BlankFile::face) {
-            Some(node) => self.not_below_zero(node, BlankFile::face.name()),
-            None => Some(Micrometres::ZERO),
-        };
-        if kind != StockKind::Tube {
-            self.refuse(fields, &[BlankFile::bore], "blank-key-of-another-kind", kind);
+    fn sized_blank(
+        &mut self,
+        kind: Option<StockKind>,
+        fields: &mut Fields<'_, BlankFile>,
+        part: Option<&PlacedSteps>,
+    ) -> Option<ReadBlank> {
+        type F = BlankFile;
+        let diameter = self.need(fields, F::diameter);
+        let length = self.need(fields, F::length);
+        let mut face = Some(Micrometres::ZERO);
+        let mut bore = None;
+        if let (Some(kind), None) = (kind, part) {
+            self.refuse(fields, &[F::inner], "blank-key-of-another-kind", kind);
+            if let Some(node) = fields.take(F::face) {
+                face = self.not_below_zero(node, F::face.name());
+            }
+            if kind == StockKind::Tube {
+                bore = Some(self.need(fields, F::bore));
+            } else {
+                self.refuse(fields, &[F::bore], "blank-key-of-another-kind", kind);
+            }
         }
-        let bore = match kind {
-            StockKind::Tube => Some(self.need(fields, BlankFile::bore)),
-            _ => None,
-        };
-        if matches!(kind, StockKind::Bar | StockKind::Tube) {
-            self.refuse(fields, &[BlankFile::steps], "blank-key-of-another-kind", kind);
+        if let Some(kind @ (StockKind::Bar | StockKind::Tube)) = kind {
+            self.refuse(fields, &[F::steps], "blank-key-of-another-kind", kind);
         }
-        let steps =
-            fields.take(BlankFile::steps).map(|node| BlankShape { steps: self.steps(node), place: node.place.clone() });
-        if let Some(shape) = &steps {
-            shape::check(shape, Some(BlankKind::Forging), &[], diameter.as_ref(), length.as_ref(), self);
+        let shape = given(fields.take(F::steps), |node| self.steps(node));
+        if let Some(steps) = part {
+            self.check_steps(steps, diameter.as_ref(), length.as_ref());
+        }
+        if let Some(Some(shape)) = &shape {
+            self.check_blank_steps(shape, diameter.as_ref(), length.as_ref());
+            if let Some(steps) = part {
+                self.check_under_blank(steps, shape);
+            }
         }
         if let (Some(Some((bore, place))), Some((diameter, _))) = (&bore, &diameter)
             && bore >= diameter
@@ -102,12 +126,11 @@ impl Reader<'_> {
             return self.fault(mistake!("face-beyond-length", face = face, length = length), place);
         }
         let bore = given(bore, |bore| Some(Half::radius_of(bore?.0)))?;
-        let (diameter, length, face) = (diameter?.0, length?.0, Half::of(face?));
-        let blank = Blank::cylinder(kind, Half::radius_of(diameter), bore, face, Half::of(length));
-        match steps {
-            Some(shape) => Some(blank.with_steps(&shape.whole()?)),
-            None => Some(blank),
-        }
+        let steps = given(shape?, |shape| shape.whole())?.unwrap_or_default();
+        let sizes = shaft::Blank { kind: kind?, diameter: diameter?.0, length: length?.0 };
+        let (radius, length) = (Half::radius_of(sizes.diameter), Half::of(sizes.length));
+        let blank = Blank::cylinder(sizes.kind, radius, bore, Half::of(face?), length).with_steps(&steps);
+        Some(ReadBlank { blank, sizes: Some(sizes), steps })
     }
 
     /// A forging or casting by its contours.

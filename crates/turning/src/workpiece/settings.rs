@@ -1,14 +1,21 @@
-//! Roughing, allowances and rates of the contour form.
+//! Roughing, allowances and rates.
 
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::Node;
 use crate::turning::contour::Piece;
 use crate::turning::length::Half;
 use crate::turning::reading::{Reader, given, mistake};
+use crate::turning::shaft::{self, Division, Moves};
 use crate::units::{Decimal, Micrometres, MillimetresPerMinute};
 
-use super::file::{AllowancesFile, ContourRates, ContourRoughing, ErrorsFile, MethodFile as Method, SteadyRestFile};
+use super::file::{AllowancesFile, ErrorsFile, MethodFile as Method, RatesFile, RoughingFile, SteadyRestFile};
 use super::{Allowances, Blank, Errors, Microns, Rates, Roughing, Scheme, SteadyRest};
+
+/// The approach if the file gives rates and no approach, mm: a choice of the program; the lecture names δ without a
+/// figure.
+const APPROACH: Micrometres = Micrometres::from_mm(2);
+/// The retract if the file gives rates and no retract: 0.5 mm (lecture 12.4).
+const RETRACT: Micrometres = Micrometres::new(500);
 
 impl Reader<'_> {
     /// A steady rest, which must stand on one cylinder of the blank.
@@ -34,13 +41,32 @@ impl Reader<'_> {
     }
 
     pub(super) fn roughing(&mut self, node: &Node) -> Option<Roughing> {
+        type F = RoughingFile;
         let mut fields = self.problems.map(node)?;
-        let depth = fields.take(ContourRoughing::limiting_depth);
-        let limiting_depth = given(depth, |depth| self.length(Some(depth), ContourRoughing::limiting_depth.name()))?
-            .map(|depth| depth.0);
-        let scheme = given(fields.take(ContourRoughing::scheme), |node| self.choice(node, Scheme::NAMES))?;
-        fields.finish(&mut self.problems);
+        let depth = fields.take(F::limiting_depth);
+        let limiting_depth =
+            given(depth, |depth| self.length(Some(depth), F::limiting_depth.name()))?.map(|depth| depth.0);
+        let scheme = given(fields.take(F::scheme), |node| self.choice(node, Scheme::NAMES))?;
+        fields.finish_among(&[F::limiting_depth, F::scheme], &mut self.problems);
         Some(Roughing { limiting_depth, scheme })
+    }
+
+    /// The same beside `steps:`.
+    pub(super) fn depths(&mut self, node: &Node) -> Option<shaft::Roughing> {
+        type F = RoughingFile;
+        let mut fields = self.problems.map(node)?;
+        let longitudinal = self.need(&mut fields, F::longitudinal_depth);
+        let transverse = self.need(&mut fields, F::transverse_depth);
+        let division = given(fields.take(F::division), |node| self.choice(node, Division::NAMES));
+        let moves = given(fields.take(F::moves), |node| self.choice(node, Moves::NAMES));
+        let known = [F::longitudinal_depth, F::transverse_depth, F::division, F::moves];
+        fields.finish_among(&known, &mut self.problems);
+        Some(shaft::Roughing {
+            longitudinal_depth: longitudinal?.0,
+            transverse_depth: transverse?.0,
+            division: division?.unwrap_or_default(),
+            moves: moves?.unwrap_or_default(),
+        })
     }
 
     pub(super) fn allowances(&mut self, node: &Node) -> Option<Allowances> {
@@ -88,34 +114,25 @@ impl Reader<'_> {
         Some(Errors { rz_um: rz?, defect_layer_um: layer?, spatial_deviation_um: deviation?, setup_error_um: set_up? })
     }
 
-    pub(super) fn all_rates(&mut self, node: &Node) -> Option<Rates> {
+    pub(super) fn rates(&mut self, node: &Node) -> Option<Rates> {
+        type F = RatesFile;
         let mut fields = self.problems.map(node)?;
-        let keys = [
-            ContourRates::longitudinal_feed,
-            ContourRates::transverse_feed,
-            ContourRates::rapid,
-            ContourRates::approach,
-            ContourRates::retract,
-        ];
-        let main = self.rates_of(&mut fields, keys);
-        let mut of = |key: KeyOf<ContourRates>, reader: &mut Self| {
-            let node = fields.take(key)?;
-            Some(
-                reader
-                    .length(Some(node), key.name())
-                    .map(|(feed, _): (Micrometres, _)| MillimetresPerMinute(feed.to_mm())),
-            )
-        };
-        let (infeed, pick_up) = (of(ContourRates::infeed, self), of(ContourRates::pick_up_feed, self));
-        let (semi_finishing, finishing) =
-            (of(ContourRates::semi_finishing_feed, self), of(ContourRates::finishing_feed, self));
+        let [longitudinal, transverse, rapid] =
+            [F::longitudinal_feed, F::transverse_feed, F::rapid].map(|key| self.need(&mut fields, key));
+        let mut optional = |key: KeyOf<F>| given(fields.take(key), |node| Some(self.length(Some(node), key.name())?.0));
+        let (approach, retract) = (optional(F::approach), optional(F::retract));
+        let feeds = [F::infeed, F::pick_up_feed, F::semi_finishing_feed, F::finishing_feed].map(optional);
         fields.finish(&mut self.problems);
-        Some(Rates {
-            main: main?,
-            infeed: infeed.flatten(),
-            pick_up_feed: pick_up.flatten(),
-            semi_finishing_feed: semi_finishing.flatten(),
-            finishing_feed: finishing.flatten(),
-        })
+        let rate = |length: Micrometres| MillimetresPerMinute(length.to_mm());
+        let main = shaft::Rates {
+            longitudinal_feed: rate(longitudinal?.0),
+            transverse_feed: rate(transverse?.0),
+            rapid: rate(rapid?.0),
+            approach: approach?.unwrap_or(APPROACH),
+            retract: retract?.unwrap_or(RETRACT),
+        };
+        // A feed that cannot be read is a mistake already.
+        let [infeed, pick_up_feed, semi_finishing_feed, finishing_feed] = feeds.map(|feed| feed.flatten().map(rate));
+        Some(Rates { main, infeed, pick_up_feed, semi_finishing_feed, finishing_feed })
     }
 }

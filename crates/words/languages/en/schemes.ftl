@@ -1,5 +1,3 @@
-bar-with-steps = a bar has no steps
-    .help = write kind: forging or casting, or take the steps of the blank away
 blank-step-rises-to-the-free-end = step { $step } of the blank: Ø{ $diameter } is smaller than Ø{ $before } before it
     .help = check the order: from the free end towards the chuck no diameter of the blank falls
 blank-step-beyond-blank = step { $step } of the blank: Ø{ $diameter } is larger than its largest Ø{ $blank }

@@ -1,5 +1,3 @@
-bar-with-steps = пруток не має ступенів
-    .help = напишіть kind: forging чи casting, або заберіть ступені заготовки
 blank-step-rises-to-the-free-end = ступінь { $step } заготовки: Ø{ $diameter } менший за Ø{ $before } перед ним
     .help = перевірте порядок: від вільного торця до патрона діаметри заготовки не спадають
 blank-step-beyond-blank = ступінь { $step } заготовки: Ø{ $diameter } більший за її найбільший Ø{ $blank }

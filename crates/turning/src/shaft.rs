@@ -1,45 +1,25 @@
-//! A stepped shaft, its blank, and the parameters of its passes.
-//!
-//! [`read_shaft`] turns the user's YAML into these types and reports all mistakes of the file at once. `schema` is
-//! the JSON Schema for editors.
-
-mod check;
-pub mod file;
-pub(super) mod read;
-pub(super) mod shape;
+//! A stepped shaft as the paper and the lecture have it: cylinders under a blank, and how passes along and across divide the
+//! stock over them. It comes of the `steps:` of a file, which the reader of a [`workpiece`](crate::turning::workpiece) also
+//! makes a contour of.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::material::MaterialState;
-use crate::tables::turning::part::BlankShape;
+use crate::tables::turning::part::StockKind;
 use crate::units::{Micrometres, MillimetresPerMinute};
 
 pub use super::reading::Mistake;
 pub use crate::tables::turning::part::Holding;
-pub use read::read_shaft;
 
 /// A stepped shaft.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Shaft {
-    /// Its name.
-    pub shaft: String,
-    /// The id of its material in the catalog `materials`.
-    pub material: String,
-    /// The id of a lathe, as in the file.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub machine: Option<String>,
-    /// Its hardness or strength, if the file gives it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub material_state: Option<MaterialState>,
     /// Its blank.
     pub blank: Blank,
     /// The cylinders of a stepped blank from the free end, none smaller than the one before it; behind them it has the
     /// diameter of the blank.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub blank_steps: Vec<Step>,
-    /// The way of clamping.
-    pub holding: Holding,
     /// Its cylinders from the free end towards the chuck; no diameter is smaller than the one before it.
     pub steps: Vec<Step>,
     /// The parameters of roughing.
@@ -52,36 +32,12 @@ pub struct Shaft {
 /// The blank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Blank {
-    /// Its kind.
-    pub kind: BlankKind,
+    /// Its kind; no tube.
+    pub kind: StockKind,
     /// Its diameter, mm; of a forging or casting that of the cylinder around it.
     pub diameter: Micrometres,
     /// Its length, mm; the part beyond the steps stays in the chuck.
     pub length: Micrometres,
-}
-
-technolog_knowledge::vocabulary! {
-    /// Kinds of blanks.
-    #[derive(Serialize, Deserialize, JsonSchema)]
-    #[serde(rename_all = "kebab-case")]
-    pub enum BlankKind {
-        /// Bar: a full cylinder.
-        Bar = "bar",
-        /// A forging, near the shape of the part.
-        Forging = "forging",
-        /// A casting, near the shape of the part.
-        Casting = "casting",
-    }
-}
-
-impl BlankKind {
-    /// Its shape.
-    pub const fn shape(self) -> BlankShape {
-        match self {
-            Self::Bar => BlankShape::Bar,
-            Self::Forging | Self::Casting => BlankShape::NearPart,
-        }
-    }
 }
 
 /// A cylinder of the shaft.
