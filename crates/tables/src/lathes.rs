@@ -46,6 +46,8 @@ vocabulary! {
         JawFrictionSoft = "jaw-friction-soft",
         GripSafety = "grip-safety",
         ChuckForce = "chuck-force",
+        ChuckSpeed = "chuck-speed",
+        ChuckLoss = "chuck-loss",
         ToolChangeTime = "tool-change-time",
         SpindleStartTime = "spindle-start-time",
         LoadTime = "load-time",

@@ -10,7 +10,8 @@ use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::tables::lathes::LatheQuantity as Q;
 use crate::tables::turning::tools::{InsertEdgeShare, Limit, TurningLimits};
 use crate::turning::tooling::{Shank, TurningTool};
-use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons};
+use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons, RevsPerMinute};
+use technolog_cutting::rpm_at;
 
 use super::laws::{self, Component, ForceLaw};
 use super::{BarTooLong, CuttingRefusal, Direction, Flexibility, MissingFigure, TurningCut};
@@ -139,11 +140,12 @@ enum Measure {
     Force(Component),
     /// The main force and a component across the part, together.
     Across(Component),
-    /// The main force and the component along the axis, together, at the diameter that the jaws grip.
-    Pull(Component, Micrometres),
+    /// The main force and the component along the axis, together, at the diameter that the jaws grip, and what the speed takes off
+    /// their friction.
+    Pull(Component, Micrometres, JawLoss),
     /// The moment that tips the part out of the jaws: of the main force and the components across and along the axis, at a distance
-    /// from the middle of the grip, mm.
-    Tip(Component, Component, f64),
+    /// from the middle of the grip, mm, and what the speed takes off the moment that they hold.
+    Tip(Component, Component, f64, JawLoss),
     Torque,
     Power,
     Depth,
@@ -207,6 +209,11 @@ impl Check {
         !matches!(self.measure, Measure::Depth)
     }
 
+    /// Whether it is what the jaws hold.
+    pub const fn is_of_grip(&self) -> bool {
+        matches!(self.bound, Bound::Grip | Bound::Tipping)
+    }
+
     /// The load at a depth and a speed. A check exists only if its figures are known.
     pub fn load(
         &self,
@@ -222,14 +229,16 @@ impl Check {
                 let (main, across) = (main()?.0, forces.at(component, depth, speed)?.0);
                 Load::ForceN(Newtons(libm::sqrt(main * main + across * across)))
             }
-            Measure::Pull(component, grips) => {
+            Measure::Pull(component, grips, loss) => {
                 let along = forces.at(component, depth, speed)?;
-                Load::ForceN(pull(torque(main()?, cut.diameter), along, grips))
+                let lost = loss.at(rpm_at(speed, cut.diameter));
+                Load::ForceN(Newtons(pull(torque(main()?, cut.diameter), along, grips).0 + lost))
             }
-            Measure::Tip(across, along, lever) => {
+            Measure::Tip(across, along, lever, loss) => {
                 let [across, along] = [across, along].map(|one| forces.at(one, depth, speed));
                 let radius = cut.diameter.to_mm() / 2.0;
-                Load::TorqueNM(tipping(main()?, across?, along?, lever, if cut.is_inner() { -radius } else { radius }))
+                let tips = tipping(main()?, across?, along?, lever, if cut.is_inner() { -radius } else { radius });
+                Load::TorqueNM(NewtonMetres(tips.0 + loss.at(rpm_at(speed, cut.diameter))))
             }
             Measure::Torque => Load::TorqueNM(torque(main()?, cut.diameter)),
             Measure::Power => Load::PowerKw(power(main()?, speed)),
@@ -276,7 +285,7 @@ pub(super) fn checks(
     }
     if let Some(grip) = cut.grip {
         let along = along_axis(cut);
-        let measure = Measure::Pull(along, grip.grips);
+        let measure = Measure::Pull(along, grip.grips, grip.loss);
         let capacity = Load::ForceN(grip.most);
         let check = Check { bound: Bound::Grip, measure, capacity, because: grip.because.clone() };
         tried.push((Bound::Grip, Some(along), Ok(check)));
@@ -284,7 +293,7 @@ pub(super) fn checks(
         let known = forces.law(across).is_ok() && forces.law(along).is_ok();
         if let Some(tips) = grip.tips.filter(|_| known && !cut.tool.plunges()) {
             let lever = tips.lever_mm + cut.stands_out.to_mm();
-            let (measure, capacity) = (Measure::Tip(across, along, lever), Load::TorqueNM(tips.most));
+            let (measure, capacity) = (Measure::Tip(across, along, lever, tips.loss), Load::TorqueNM(tips.most));
             let check = Check { bound: Bound::Tipping, measure, capacity, because: grip.because.clone() };
             tried.push((Bound::Tipping, Some(Component::Main), Ok(check)));
         }
@@ -458,6 +467,8 @@ pub struct GripLimit {
     pub grips: Micrometres,
     /// The largest pull at that diameter.
     pub most: Newtons,
+    /// What the speed takes off it, N.
+    pub loss: JawLoss,
     /// What tips it out of them; none where a centre or a rest holds it, too.
     pub tips: Option<TipLimit>,
     /// The rows behind it.
@@ -471,6 +482,33 @@ pub struct TipLimit {
     pub lever_mm: f64,
     /// The largest moment.
     pub most: NewtonMetres,
+    /// What the speed takes off it, N·m.
+    pub loss: JawLoss,
+}
+
+/// What the speed of a chuck takes off what its jaws hold from outside: the centrifugal force of the jaws, Fc = Σ(m·r)·ω² (VDI 3106),
+/// which grows by n². Zero where the chuck is not known.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct JawLoss {
+    /// Of 1 (1/min)².
+    pub per_square: f64,
+}
+
+impl JawLoss {
+    /// At a speed.
+    pub fn at(self, rpm: RevsPerMinute) -> f64 {
+        self.per_square * rpm.0 * rpm.0
+    }
+
+    /// In another measure of the same loss.
+    pub fn times(self, share: f64) -> Self {
+        Self { per_square: self.per_square * share }
+    }
+
+    /// The speed at which it is as large as this; none where there is no loss.
+    pub fn reaches(self, most: f64) -> Option<RevsPerMinute> {
+        (self.per_square > 0.0).then(|| RevsPerMinute(libm::sqrt(most.max(0.0) / self.per_square)))
+    }
 }
 
 /// The moment, N·m, that a cut at a radius (below zero in a bore) and a distance from the middle of the grip tips a part with: that of

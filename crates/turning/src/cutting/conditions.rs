@@ -116,6 +116,12 @@ pub fn conditions(
         because.extend(check.because.iter().cloned());
         (rpm, limited_by) = (slower, "spindle-power");
     }
+    for check in checks.iter().filter(|check| check.is_of_grip()) {
+        if let Some(slower) = within_grip(cut, check, &forces, depth, rpm) {
+            because.extend(check.because.iter().cloned());
+            (rpm, limited_by) = (slower, "grip");
+        }
+    }
     let ((least, most), (of_least, of_most)) = match cut.direction {
         Direction::Longitudinal => (cut.lathe.feed_z, (LatheQuantity::FeedMinZ, LatheQuantity::FeedMaxZ)),
         Direction::Transverse => (cut.lathe.feed_x, (LatheQuantity::FeedMinX, LatheQuantity::FeedMaxX)),
@@ -287,4 +293,35 @@ pub(super) fn within_power(
             RevsPerMinute((round_to(slower, 1) - 0.1).max(min.0))
         }
     })
+}
+
+/// The fastest speed below a given one at which the jaws hold a cut; none if they hold it already, and where no speed helps.
+pub(super) fn within_grip(
+    cut: &TurningCut<'_, '_>,
+    check: &Check,
+    forces: &Forces,
+    depth: Micrometres,
+    rpm: RevsPerMinute,
+) -> Option<RevsPerMinute> {
+    let fits = |rpm: RevsPerMinute| {
+        let load = check.load(cut, forces, depth, speed_at(rpm, cut.diameter));
+        load.is_none_or(|load| load.within(check.capacity))
+    };
+    if fits(rpm) {
+        return None;
+    }
+    match &cut.lathe.spindle {
+        Spindle::Steps(steps) => steps.iter().rev().filter(|step| step.0 < rpm.0).find(|step| fits(**step)).copied(),
+        Spindle::Range { min, .. } => {
+            let (mut holds, mut loose) = (*min, rpm);
+            if !fits(holds) {
+                return None;
+            }
+            while loose.0 - holds.0 > 0.1 {
+                let middle = RevsPerMinute(f64::midpoint(holds.0, loose.0));
+                *(if fits(middle) { &mut holds } else { &mut loose }) = middle;
+            }
+            Some(RevsPerMinute(libm::floor(holds.0 * 10.0) / 10.0))
+        }
+    }
 }

@@ -11,7 +11,7 @@ use crate::units::{MetresPerMinute, Micrometres, MillimetresPerRev, RevsPerMinut
 use technolog_cutting::{rpm_at, speed_at};
 
 use super::bounds::{self, Bound, Check, Forces, Load, UnknownBound};
-use super::conditions::within_power;
+use super::conditions::{within_grip, within_power};
 use super::speed::{self, SpeedLaw};
 use super::{CuttingRefusal, NonPositive, Speed, TurningCut, of_figures};
 
@@ -72,8 +72,9 @@ struct Turns<'c, 'a, 'k> {
     speed: Speed,
     law: Option<SpeedLaw<'k>>,
     forces: &'c Forces,
-    /// The limit of power, if it can be calculated.
+    /// The limits of power and of the jaws that can be calculated.
     power: Option<&'c Check>,
+    grip: Vec<&'c Check>,
 }
 
 impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
@@ -90,7 +91,8 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
         } else {
             None
         };
-        Ok(Self { cut, speed, law, forces, power })
+        let grip = checks.iter().filter(|check| check.is_of_grip()).collect();
+        Ok(Self { cut, speed, law, forces, power, grip })
     }
 
     /// The row of practice for the speed at a depth.
@@ -110,7 +112,10 @@ impl<'c, 'a, 'k> Turns<'c, 'a, 'k> {
         };
         let slower = self.power.filter(|_| self.speed == Speed::WithinPower);
         let slower = slower.and_then(|check| within_power(self.cut, check, self.forces, depth, rpm));
-        let rpm = slower.unwrap_or(rpm);
+        let mut rpm = slower.unwrap_or(rpm);
+        for check in self.grip.iter().filter(|_| self.speed == Speed::WithinPower) {
+            rpm = within_grip(self.cut, check, self.forces, depth, rpm).unwrap_or(rpm);
+        }
         Ok((rpm, speed_at(rpm, self.cut.diameter)))
     }
 }

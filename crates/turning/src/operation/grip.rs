@@ -9,12 +9,16 @@ use crate::knowledge::Knowledge;
 use crate::note::{Because, Finding, Note, Severity};
 use crate::tables::lathes::{LatheWorkholding, WorkholdingFigure as Row};
 use crate::turning::contour::Side;
-use crate::turning::cutting::{GripLimit, TipLimit, pull as turning_pull, tipping};
+use crate::turning::cutting::{GripLimit, JawLoss, TipLimit, pull as turning_pull, tipping};
 use crate::turning::jobs::{Job, Work};
 use crate::turning::length::Half;
+use crate::turning::program::Speed;
 use crate::turning::toolpath::Purpose;
 use crate::turning::zones::Feed;
-use crate::units::{Micrometres, NewtonMetres, Newtons};
+use crate::units::{Micrometres, NewtonMetres, Newtons, RevsPerMinute};
+use technolog_cutting::rpm_at;
+
+use crate::turning::tooling::figure as chuck_figure;
 
 use super::SideWork;
 use super::jaws::Jaws;
@@ -47,6 +51,12 @@ pub struct Grip {
     /// tightened to after that.
     #[serde(skip)]
     pub loosened: Option<(Newtons, Option<Newtons>)>,
+    /// What the speed of the hardest job takes off that.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lost_n: Option<Newtons>,
+    /// The law of that.
+    #[serde(skip)]
+    loss: JawLoss,
     /// What a chuck of that size presses with, where the size is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub given_n: Option<Newtons>,
@@ -62,8 +72,9 @@ impl Grip {
     /// What the cuts of a set-up require of its jaws; none where no force of a cut is known.
     ///
     /// At the jaws the cut pulls around with 2·M/d and along the axis with the force on that way, together
-    /// √((2·M/d)² + P²), N, with the torque M in N·mm and d in mm. Friction holds it if S·pull ≤ μ·F (the form of VDI
-    /// 3106 without loss by speed); S and μ are rows of `chuck-and-tailstock`, μ by hard or soft jaws.
+    /// √((2·M/d)² + P²), N, with the torque M in N·mm and d in mm. Friction holds it if S·pull ≤ μ·(F − Fc) (the form of VDI
+    /// 3106), with the centrifugal force Fc of the jaws at the speed of the job; S and μ are rows of `chuck-and-tailstock`, μ by hard or
+    /// soft jaws. What holds the cut at its largest diameter is held against the speed there, and the smallest diameter at its own.
     ///
     /// A part that nothing but its jaws holds is tipped out of them, too. Each of three jaws presses with F/3; against a moment M its
     /// pressure moves by half of its length a at most, and its friction acts along the axis at d/2. With the jaws as they stand worst,
@@ -84,7 +95,7 @@ impl Grip {
         };
         let held = Self::holds(jaws, knowledge)?;
         let seat_mm = held.seat_mm(jaws);
-        let Held { friction, safety, given_n, because } = held;
+        let Held { friction, safety, given_n, loss, because } = held;
         let middle = middle_mm(jaws.front_mm, jaws.length_mm);
         let tips =
             jobs.iter().filter_map(|job| tips(job, middle, ahead)).max_by(|one, other| one.0.total_cmp(&other.0));
@@ -99,12 +110,18 @@ impl Grip {
             front: jaws.front_mm,
             ahead,
             loosened: None,
+            lost_n: None,
+            loss,
             given_n,
             friction,
             safety,
             because,
         };
-        grip.required_n = grip.required(pull, tips_n_m);
+        let needs = jobs.iter().filter_map(|job| grip.needs(job));
+        let (held, lost) =
+            needs.max_by(|one, other| (one.0 + one.1).total_cmp(&(other.0 + other.1))).unwrap_or((0.0, 0.0));
+        grip.required_n = Newtons(held + lost);
+        grip.lost_n = Some(Newtons(lost)).filter(|lost| lost.0 > 0.0);
         Ok(Some(grip))
     }
 
@@ -118,8 +135,47 @@ impl Grip {
 
     /// What the jaws must press with for a job alone; none if its forces are not known.
     pub fn required_by(&self, job: &Job) -> Option<Newtons> {
+        self.needs(job).map(|(held, lost)| Newtons(held + lost))
+    }
+
+    /// What a job needs of the jaws while they turn, and what its speed takes off them, N. With a constant cutting speed both are
+    /// followed from the largest diameter to the smallest: the torque falls with the diameter, and the speed grows up to its limit.
+    fn needs(&self, job: &Job) -> Option<(f64, f64)> {
+        let whole = pull(job, self.grips_mm)?;
         let tips = tips(job, middle_mm(self.front, self.over), self.ahead).filter(|_| self.tips_n_m.is_some());
-        Some(self.required(pull(job, self.grips_mm)?, tips))
+        let held = self.required(whole, tips).0;
+        let (speed, limit) = match job.pace.speed() {
+            Some(Speed::Cutting { speed, limit }) => (speed, limit),
+            Some(Speed::Spindle(rpm)) => return Some((held, self.loss.at(rpm))),
+            None => return Some((held, 0.0)),
+        };
+        let cuts = job.path.pieces().filter(|(_, purpose)| *purpose != Purpose::Rapid).map(|(piece, _)| piece.radii());
+        let (least, most) = cuts.reduce(|(least, most), (low, high)| (least.min(low), most.max(high)))?;
+        let most = most.max(Half::new(1));
+        let at = |share: f64| {
+            let diameter = Micrometres::from_mm_rounded((2.0 * most.to_mm() * share).max(0.001));
+            let rpm = RevsPerMinute(rpm_at(speed, diameter).0.min(limit.0));
+            let along = pull_of(job, self.grips_mm, share).unwrap_or(whole);
+            (self.required(along, tips).0, self.loss.at(rpm))
+        };
+        // Where the speed comes to its limit, or where the cut ends: in between the sum of both is lower than at one of the ends.
+        let fastest = rpm_at(speed, most.diameter()).0 / limit.0;
+        let ends = [1.0, fastest.max(least.to_mm() / most.to_mm()).min(1.0)].map(at);
+        ends.into_iter().max_by(|one, other| (one.0 + one.1).total_cmp(&(other.0 + other.1)))
+    }
+
+    /// What jaws that were set to a force press with while they turn in some jobs, at the slowest speed of them.
+    pub fn turning(&self, set: Newtons, jobs: &[Job]) -> Newtons {
+        let slowest = |job: &Job| match job.pace.speed()? {
+            Speed::Spindle(rpm) => Some(rpm.0),
+            Speed::Cutting { speed, limit } => {
+                let largest =
+                    job.path.pieces().map(|(piece, _)| piece.radii().1).max().filter(|one| *one > Half::ZERO)?;
+                Some(rpm_at(speed, largest.diameter()).0.min(limit.0))
+            }
+        };
+        let rpm = jobs.iter().map(|job| slowest(job).unwrap_or(0.0)).min_by(f64::total_cmp).unwrap_or(0.0);
+        Newtons((set.0 - self.loss.at(RevsPerMinute(rpm))).max(0.0))
     }
 
     /// What the jaws must press with against a pull, N, and a moment that tips the part.
@@ -141,16 +197,36 @@ impl Grip {
         let Some(jaws) = jaws.filter(|jaws| jaws.grips_mm > Micrometres::ZERO) else { return Ok(None) };
         let held = Self::holds(jaws, knowledge)?;
         let seat_mm = held.seat_mm(jaws);
-        let Held { friction, safety, given_n, because } = held;
+        let Held { friction, safety, given_n, loss, because } = held;
         let Some(given) = [given_n, bears].into_iter().flatten().min_by(|one, other| one.0.total_cmp(&other.0)) else {
             return Ok(None);
         };
         let tips = TipLimit {
             lever_mm: middle_mm(jaws.front_mm, jaws.length_mm),
             most: NewtonMetres(given.0 * seat_mm / safety / 1000.0),
+            loss: loss.times(seat_mm / safety / 1000.0),
         };
-        let most = Newtons(given.0 * friction / safety);
-        Ok(Some(GripLimit { grips: jaws.grips_mm, most, tips: Some(tips).filter(|_| alone), because }))
+        let (most, loss) = (Newtons(given.0 * friction / safety), loss.times(friction / safety));
+        Ok(Some(GripLimit { grips: jaws.grips_mm, most, loss, tips: Some(tips).filter(|_| alone), because }))
+    }
+
+    /// The highest speed of the jaws: that of their chuck, where they press with all of its force, and less where the wall of the part
+    /// bears less, so that the centrifugal force takes no larger share of it. None where the chuck is not known.
+    ///
+    /// # Errors The knowledge base lacks a row.
+    pub fn fastest(
+        jaws: Option<&Jaws>,
+        bears: Option<Newtons>,
+        knowledge: &Knowledge,
+    ) -> Result<Option<RevsPerMinute>, KnowledgeError> {
+        let Some((jaws, body)) = jaws.and_then(|jaws| Some((jaws, jaws.body?))) else { return Ok(None) };
+        let held = Self::holds(jaws, knowledge)?;
+        let own = chuck_figure(Row::ChuckSpeed, knowledge)? / body.chuck_mm.to_mm();
+        let share = match (held.given_n, bears) {
+            (Some(given), Some(bears)) => (bears.0 / given.0).clamp(0.0, 1.0),
+            _ => 1.0,
+        };
+        Ok(Some(RevsPerMinute(libm::floor(own * libm::sqrt(share)))))
     }
 
     /// Friction, safety and force of jaws.
@@ -164,11 +240,16 @@ impl Grip {
         };
         let friction = figure(if jaws.soft { Row::JawFrictionSoft } else { Row::JawFriction })?;
         let safety = figure(Row::GripSafety)?;
-        let given_n = match jaws.body {
-            Some(body) => Some(Newtons(figure(Row::ChuckForce)? * body.chuck_mm.to_mm())),
-            None => None,
+        let (given_n, loss) = match jaws.body {
+            Some(body) => {
+                let chuck = body.chuck_mm.to_mm();
+                let given = figure(Row::ChuckForce)? * chuck;
+                let (fastest, lost) = (figure(Row::ChuckSpeed)? / chuck, figure(Row::ChuckLoss)?);
+                (Some(Newtons(given)), JawLoss { per_square: lost * given / (fastest * fastest) })
+            }
+            None => (None, JawLoss::default()),
         };
-        Ok(Held { friction, safety, given_n, because })
+        Ok(Held { friction, safety, given_n, loss, because })
     }
 
     /// Whether a usual chuck of that size presses hard enough; true where the size is not known.
@@ -196,14 +277,16 @@ impl Grip {
 
     /// The moment that tips the part, if it asks for more than what pulls at it.
     fn decides_tipping(&self) -> Option<NewtonMetres> {
-        self.tips_n_m.filter(|_| self.required_n.0 > self.safety * self.pull_n.0 / self.friction + 1e-6)
+        let lost = self.lost_n.unwrap_or_default().0;
+        self.tips_n_m.filter(|_| self.required_n.0 - lost > self.safety * self.pull_n.0 / self.friction + 1e-6)
     }
 
     /// That a usual chuck does not press hard enough: doubtful within the safety, wrong beyond it, where the part would come loose by
     /// the figures themselves.
     pub fn finding(&self, set_up: u8) -> Option<Finding> {
         let given = self.given_n.filter(|_| !self.is_enough())?;
-        let loose = self.required_n.0 > self.safety * given.0;
+        let lost = self.lost_n.unwrap_or_default().0;
+        let loose = (self.required_n.0 - lost) / self.safety + lost > given.0;
         let severity = if loose { Severity::Wrong } else { Severity::Doubtful };
         if let Some(moment) = self.decides_tipping() {
             let note = Note::new("grip-tips")
@@ -274,6 +357,7 @@ struct Held {
     friction: f64,
     safety: f64,
     given_n: Option<Newtons>,
+    loss: JawLoss,
     because: Vec<Because>,
 }
 
@@ -312,6 +396,11 @@ pub(super) fn thousands(force: Newtons) -> f64 {
 
 /// The pull of a job at a diameter of the jaws, N; none if its forces are not known.
 fn pull(job: &Job, grips: Micrometres) -> Option<f64> {
+    pull_of(job, grips, 1.0)
+}
+
+/// The same where it cuts at a share of its largest diameter.
+fn pull_of(job: &Job, grips: Micrometres, share: f64) -> Option<f64> {
     if let Some(torque) = job.torque_n_m {
         return Some(turning_pull(torque, Newtons(0.0), grips).0);
     }
@@ -321,7 +410,8 @@ fn pull(job: &Job, grips: Micrometres) -> Option<f64> {
         Work::Face => conditions.radial_force_n,
         _ => conditions.axial_force_n,
     };
-    Some(turning_pull(conditions.torque_n_m?, along.unwrap_or(Newtons(0.0)), grips).0)
+    let torque = NewtonMetres(conditions.torque_n_m?.0 * share);
+    Some(turning_pull(torque, along.unwrap_or(Newtons(0.0)), grips).0)
 }
 
 #[cfg(test)]
@@ -348,6 +438,36 @@ mod tests {
         assert!((at(-20.0) - 67.082).abs() < 1e-3, "{}", at(-20.0));
     }
 
+    /// A chuck of 200 mm presses with 160·200 = 32000 N and turns at 570000/200 = 2850 1/min at most, where its jaws lose 0.667 of that,
+    /// 21344 N; at half of it a quarter, 5336 N. On 16М30Ф3 one of 0.625·670 = 418.75 mm turns at 1361 1/min, though the spindle
+    /// has 2000, and no job is faster: facing to the axis at a constant cutting speed runs up to the limit.
+    #[test]
+    fn jaws_lose_by_the_square_of_the_speed() {
+        let knowledge = shipped::knowledge().unwrap();
+        let part = |lathe: &str| {
+            format!(
+                "shaft: P\nmaterial: steel-45\nblank: {{kind: bar, diameter: 150, length: 122, face: 2}}\nmachine: {lathe}\nouter:\n  - \
+                 {{from: {{d: 0, z: 0}}}}\n  - {{face: 140}}\n  - {{cylinder: -40}}\n  - {{face: 146}}\n  - {{cylinder: -80}}\n"
+            )
+        };
+        let planned =
+            |lathe: &str| plan(&read_workpiece("part", &part(lathe), &knowledge).unwrap(), &knowledge).unwrap();
+        let operation = planned("16a20f3");
+        let grip = operation.set_ups[0].grip.as_ref().unwrap();
+        for (rpm, lost) in [(2850.0, 21_344.0), (1425.0, 5336.0)] {
+            assert!((grip.loss.at(RevsPerMinute(rpm)) - lost).abs() < 1.0, "{rpm}");
+        }
+        let operation = planned("16m30f3");
+        let speeds = operation.set_ups.iter().flat_map(|set_up| &set_up.jobs).filter_map(|job| job.pace.speed());
+        let limits: Vec<f64> = speeds
+            .map(|speed| match speed {
+                Speed::Spindle(rpm) => rpm.0,
+                Speed::Cutting { limit, .. } => limit.0,
+            })
+            .collect();
+        assert!(limits.contains(&1361.0) && limits.iter().all(|rpm| *rpm <= 1361.0), "{limits:?}");
+    }
+
     /// Hard jaws hold the blank with μ = 0.35, soft ones the finished cylinder with 0.1, both with a safety of 2; a chuck
     /// of 250 mm presses with 160·250 = 40000 N.
     #[test]
@@ -362,10 +482,17 @@ mod tests {
         let frictions: Vec<f64> = grips.iter().map(|grip| grip.friction).collect();
         assert_eq!(frictions, [0.35, 0.1]);
         for grip in grips {
+            // And what the speed takes off, within what 2280 1/min take.
             let required = 2.0 * grip.pull_n.0 / grip.friction;
-            assert!((grip.required_n.0 - required).abs() < 1e-6);
+            let lost = grip.lost_n.unwrap().0;
+            assert!(
+                lost > 0.0
+                    && lost < 26_680.0
+                    && grip.required_n.0 >= lost
+                    && grip.required_n.0 <= required + lost + 1e-6
+            );
             assert_eq!(grip.given_n, Some(Newtons(40_000.0)));
-            assert_eq!(grip.is_enough(), required <= 40_000.0);
+            assert_eq!(grip.is_enough(), grip.required_n.0 <= 40_000.0);
         }
         let bored: Vec<bool> = operation.set_ups.iter().map(|set_up| set_up.jaws.unwrap().bored().is_some()).collect();
         assert_eq!(bored, [false, true]);

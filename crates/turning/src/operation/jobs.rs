@@ -21,7 +21,7 @@ use super::finish::{finish, finish_hollow};
 use super::tools::Bench;
 use super::work::{Work, ZoneWork};
 use super::{Axial, SideWork, features};
-use crate::turning::cutting::TurningConditions;
+use crate::turning::cutting::{GripLimit, TurningConditions, pull};
 
 /// The jobs of a set-up.
 ///
@@ -261,7 +261,8 @@ pub(super) fn constant_speed(pace: Pace, conditions: Option<&TurningConditions>,
         Spindle::Range { max, .. } => {
             let drive = lathe.feed_x.1.0.min(lathe.feed_z.1.0);
             let fed = pace.feeds().map_or(max.0, |feeds| libm::floor(drive / feeds.fastest().0));
-            Some(RevsPerMinute(max.0.min(fed)))
+            let held = bench.grip.as_ref().zip(conditions).and_then(|(grip, cut)| held_up_to(grip, cut));
+            Some(RevsPerMinute(max.0.min(fed).min(held.map_or(max.0, |rpm| libm::floor(rpm.0)))))
         }
         Spindle::Steps(_) => None,
     });
@@ -271,6 +272,15 @@ pub(super) fn constant_speed(pace: Pace, conditions: Option<&TurningConditions>,
         }
         (pace, ..) => pace,
     }
+}
+
+/// The speed up to which the jaws hold a cut with all of its pull, but not below that at its largest diameter; none where they lose
+/// nothing.
+fn held_up_to(grip: &GripLimit, cut: &TurningConditions) -> Option<RevsPerMinute> {
+    let along = [cut.axial_force_n?, cut.radial_force_n?].into_iter().max_by(|one, other| one.0.total_cmp(&other.0))?;
+    let left = grip.most.0 - pull(cut.torque_n_m?, along, grip.grips).0;
+    let held = grip.loss.reaches(left)?;
+    Some(RevsPerMinute(held.0.max(cut.spindle_rpm.0)))
 }
 
 /// Rates at a spindle speed, per revolution.

@@ -143,6 +143,14 @@ pub(super) fn plan_without(
         let squeeze = squeeze::Squeeze::of(&set_up, jaws.as_ref(), &Bench { workpiece, ..bench.clone() })?;
         let bears = squeeze.as_ref().and_then(squeeze::Squeeze::bears);
         let grip = Grip::limit(jaws.as_ref(), bears, alone, knowledge)?;
+        let fastest = Grip::fastest(jaws.as_ref(), bears, knowledge)?;
+        let slowed = lathe.as_ref().zip(fastest).filter(|(lathe, most)| lathe.spindle.ends().1.0 > most.0);
+        let slowed = slowed.map(|(lathe, most)| {
+            let chuck = jaws.and_then(|jaws| jaws.body).map(|body| body.chuck_mm).unwrap_or_default();
+            set_up.notes.push(Note::new("chuck-turns-at-most").with("most", most.0).with("chuck", chuck));
+            lathe.no_faster_than(most)
+        });
+        let bench = Bench { lathe: slowed.as_ref().or(lathe.as_ref()), ..bench.clone() };
         let parts = parted.filter(|_| !set_up.turned_over);
         let through = parts.and_then(Parted::drilled_to);
         let opened = if set_up.turned_over { opened::opened(&done, workpiece.length()) } else { Micrometres::ZERO };

@@ -107,8 +107,10 @@ impl Squeeze {
         let allowed = self.ring.allowed_mm(self.tightest.as_ref()?.1);
         let bore = finishes_bore(jobs)?;
         let after = jobs.get(bore.end..).and_then(|jobs| hardest(grip, jobs));
-        let force = hardest(grip, jobs.get(bore)?)?;
-        let loosens = self.ring.lobes_mm(force) <= allowed && self.ring.lobes_mm(grip.required_n) > allowed;
+        let bored = jobs.get(bore)?;
+        let force = hardest(grip, bored)?;
+        let lobes = |set: Newtons| self.ring.lobes_mm(grip.turning(set, bored));
+        let loosens = lobes(force) <= allowed && lobes(grip.required_n) > allowed;
         loosens.then_some((force, after.filter(|after| after.0 > force.0)))
     }
 
@@ -126,10 +128,10 @@ impl Squeeze {
         }
         let Some((surface, tolerance)) = &self.tightest else { return findings };
         let allowed = self.ring.allowed_mm(*tolerance);
-        let least = finishes_bore(jobs).and_then(|bore| hardest(grip, jobs.get(bore)?));
+        let bored = finishes_bore(jobs).and_then(|bore| jobs.get(bore)).unwrap_or_default();
         // Jaws that nothing is known of for finishing stay as they are.
-        let force = least.unwrap_or(grip.required_n);
-        let (tight, loosened) = (self.ring.lobes_mm(grip.required_n), self.ring.lobes_mm(force));
+        let force = hardest(grip, bored).unwrap_or(grip.required_n);
+        let [tight, loosened] = [grip.required_n, force].map(|set| self.ring.lobes_mm(grip.turning(set, bored)));
         let told = |code: &'static str, lobes: f64, force: Newtons| {
             note(code)
                 .with("surface", surface)

@@ -39,6 +39,20 @@ impl Spindle {
         }
     }
 
+    /// The same spindle where what it turns must not be faster; its slowest speed stays.
+    #[must_use]
+    pub fn no_faster_than(&self, most: RevsPerMinute) -> Self {
+        match self {
+            Self::Steps(steps) => {
+                let slow = steps.iter().enumerate().filter(|(place, step)| *place == 0 || step.0 <= most.0);
+                Self::Steps(slow.map(|(_, step)| *step).collect())
+            }
+            Self::Range { min, max } => {
+                Self::Range { min: *min, max: RevsPerMinute(max.0.min(most.0.floor()).max(min.0)) }
+            }
+        }
+    }
+
     /// The slowest and the fastest speed.
     pub fn ends(&self) -> (RevsPerMinute, RevsPerMinute) {
         match self {
@@ -171,6 +185,12 @@ impl<'k> Lathe<'k> {
             shank_height: any(Q::ShankHeight).map(Micrometres::from_mm_rounded),
             record,
         })
+    }
+
+    /// The same where what its spindle turns must not be faster.
+    #[must_use]
+    pub fn no_faster_than(&self, most: RevsPerMinute) -> Self {
+        Self { spindle: self.spindle.no_faster_than(most), ..self.clone() }
     }
 
     /// Its id.

@@ -41,6 +41,7 @@ jaws-bored = the surface is finished: soft jaws, bored to Ø{ $grips } over { $l
 jaws-on-bushing = a split bushing with this thread, { $length } mm long, goes between the jaws and Ø{ $grips }: make it before
 centre-turned-down = set-up { $number }: a usual centre is in the way of the tools: take one that is turned down to Ø{ $body } or less behind its cone, or a half centre
 grip-required = on Ø{ $grips } the jaws must press with { $force } kN together: the heaviest cut pulls with { $pull } kN there, friction { $friction }, safety { $safety }
+chuck-turns-at-most = the chuck of { $chuck } mm turns at { $most } 1/min at most here: faster, its jaws lose too much of their force
 grip-too-weak = set-up { $number }: the heaviest cut requires { $force } kN of the jaws on Ø{ $grips }, and a hand chuck of this size gives about { $given } kN: take a power chuck, a smaller depth or feed, a thicker cylinder to grip, or a tailstock
 jaws-full-bored = full-grip jaws, which close nearly all around: bored to Ø{ $grips } over { $length } mm
 grip-required-upright = on Ø{ $grips } the jaws must press with { $force } kN together: a cut tips the part with { $moment } N·m, and { $length } mm are gripped, safety { $safety }
