@@ -1,6 +1,7 @@
 //! Reaming.
 
 use crate::error::{KnowledgeError, Tried};
+use crate::knowledge::units::Brinell;
 use crate::knowledge::{Knowledge, Question};
 use crate::note::{Because, Note};
 use crate::reason::Uncut;
@@ -107,6 +108,7 @@ fn held_feed<'k>(cut: &Cut, shop: &impl Asking<'k>) -> Tried<(Feed, Option<Milli
     let rule = knowledge.ask(&ReamingFeedConditionFor {
         tool_material: cut.tool_material,
         material_group: shop.material().group,
+        hardness: Brinell(shop.material().hardness),
         diameter: cut.diameter,
         final_: cut.roughness.map(|_| true),
         roughness: cut.roughness,

@@ -3,6 +3,7 @@
 //! - `hold`: whether the places of the clamps hold it against turning and tipping;
 //! - `fixture`: its kind, and how table, fixture and part are located;
 //! - `pins`: the pins of a part that lies on holes;
+//! - `places`: where straps may stand;
 //! - `vice`: a vice, where clamps find no place;
 //! - `chains`: zeros by the dimensions of the drawing, and whether their chains close.
 
@@ -10,13 +11,13 @@ mod chains;
 mod fixture;
 mod hold;
 mod pins;
+mod places;
 mod vice;
 
 use std::collections::BTreeMap;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
-use crate::machine::Machine;
 use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::part::{Face, Fixture, Outline, Part, Point};
 use crate::plan::{Clamping, HolePlan, Operation, OwnFixture, Strap, Transition, Vice};
@@ -128,14 +129,36 @@ pub fn clampings(
     let turned = (face == Face::Back).then(|| turned(part));
     let part = turned.as_ref().unwrap_or(part);
     let mut sets = Vec::new();
-    for places in proposals(part, inset, combined, &shop.machine) {
-        if let Some((clamping, faults)) = clamped(part, &own, places, true, shop)?
-            && faults.is_empty()
-        {
-            sets.push(clamping);
+    for kind in [proposals, uneven] {
+        for places in kind(part, inset, combined, &shop.machine) {
+            if let Some((clamping, faults)) = clamped(part, &own, places, true, shop)?
+                && faults.is_empty()
+            {
+                sets.push(clamping);
+            }
+        }
+        if !sets.is_empty() {
+            break;
         }
     }
     Ok(sets)
+}
+
+/// Three or four straps that stand where the holes leave them room, for a part that no symmetric set and no vice holds; none where
+/// the file says what holds it, or where none of these would.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub fn uneven_clamping(
+    part: &Part,
+    holes: &[HolePlan],
+    face: Face,
+    shop: &Shop<'_>,
+) -> Result<Option<Clamping>, KnowledgeError> {
+    if part.fixture.own.is_some() || (face == Face::Entry && !part.fixture.clamps.is_empty()) {
+        return Ok(None);
+    }
+    Ok(clampings(part, holes, face, shop)?.into_iter().next())
 }
 
 /// A group of holes with what is done here from one face.
@@ -199,6 +222,8 @@ pub fn own(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Option<Ow
         because: vec![why],
     }))
 }
+
+use places::{blocked, proposals, uneven};
 
 pub use chains::{Chains, chains};
 pub use fixture::{fixture, held_by, locating};
@@ -430,70 +455,4 @@ fn beside_strap(
         let note = note.with("least", side).with("hole", Figure::called(&plan.name));
         Finding::of_part(Severity::Error, note)
     }))
-}
-
-/// A hole so near to a clamp that the tool would hit it: half the width of the clamp is the inset.
-fn blocked<'p>(part: &'p Part, clamps: &[Point], inset: Micrometres) -> Option<(&'p str, Micrometres, Micrometres)> {
-    part.holes.iter().find_map(|hole| {
-        let needed = hole.diameter.nominal.half() + inset;
-        let nearest = hole.ways().flat_map(|way| clamps.iter().map(move |clamp| way.distance(*clamp))).min()?;
-        (nearest < needed).then_some((hole.name.as_str(), nearest, needed))
-    })
-}
-
-/// Symmetric pairs on two opposite sides, sets of four from two pairs, and of six from three of the best: those with the most room to the holes
-/// first, corners last; among equals the middles of the sides first. Where holes block all of them, the best pair
-/// alone.
-///
-/// A disc has its pairs opposite each other around the rim instead. Where the table ends before the part does, clamps stand over the table: the middle of the part lies over its middle.
-fn proposals(part: &Part, inset: Micrometres, combined: usize, machine: &Machine<'_>) -> Vec<Vec<Point>> {
-    let (blank, middle) = (&part.blank, part.middle());
-    // A spindle that does not stand over its table says nothing of its height.
-    let upright = machine.nose_to_table.is_some();
-    let within = |size: Micrometres, table: Option<Micrometres>| {
-        let bearing = table.filter(|_| upright).map_or(size, |table| table.min(size));
-        (bearing - inset - inset).half()
-    };
-    let (across, along) = (within(blank.width, machine.table_width), within(blank.length, machine.table_length));
-    let pair = |x: Micrometres, y: Micrometres| {
-        vec![Point { x: middle.x - x, y: middle.y - y }, Point { x: middle.x + x, y: middle.y + y }]
-    };
-    let shifts = [0, 1, -1, 2, -2, 3, -3, 4, -4];
-    let sides = shifts
-        .iter()
-        .flat_map(|&tenths| [pair(along.ratio(tenths, 5), across), pair(along, across.ratio(tenths, 5))])
-        .filter(|_| !blank.is_round());
-    // On a disc they stand opposite each other at the rim, every 15° of it, where the table is under them.
-    let reach = blank.length.half() - inset;
-    let around = (0..12_i32).map(|step| (f64::from(step) * 15.0).to_radians()).map(|angle| {
-        let at = |share: f64| Micrometres::from_mm_rounded(reach.to_mm() * share);
-        (at(libm::cos(angle)), at(libm::sin(angle)))
-    });
-    let rim =
-        around.filter(|(x, y)| blank.is_round() && x.abs() <= along && y.abs() <= across).map(|(x, y)| pair(x, y));
-    let room = |clamps: &Vec<Point>| {
-        let holes = part.holes.iter().flat_map(|hole| hole.ways().map(|way| (way, hole.diameter.nominal.half())));
-        holes.flat_map(|(way, radius)| clamps.iter().map(move |clamp| way.distance(*clamp) - radius)).min()
-    };
-    let mut pairs: Vec<Vec<Point>> = sides.chain(rim).collect();
-    pairs.sort_by_cached_key(|clamps| std::cmp::Reverse(room(clamps)));
-    // The corners last: a strap clamp is least stable there.
-    let corners = [1, -1].map(|side| pair(along, across.ratio(side, 1)));
-    pairs.extend(corners.into_iter().filter(|_| !blank.is_round()));
-    // A hole that blocks a pair blocks every set of four with it.
-    let free: Vec<&Vec<Point>> = pairs.iter().filter(|clamps| blocked(part, clamps, inset).is_none()).collect();
-    if free.is_empty() {
-        pairs.truncate(1);
-        return pairs;
-    }
-    let fours = free.iter().enumerate().flat_map(|(at, one)| free[at + 1..].iter().map(|two| [&one[..], two].concat()));
-    let fours: Vec<Vec<Point>> = fours.collect();
-    let best = &free[..free.len().min(combined)];
-    let mut sixes = Vec::new();
-    for (at, one) in best.iter().enumerate() {
-        for (next, two) in best.iter().enumerate().skip(at + 1) {
-            sixes.extend(best[next + 1..].iter().map(|three| [&one[..], two, three].concat()));
-        }
-    }
-    free.iter().map(|pair| (*pair).clone()).chain(fours).chain(sixes).collect()
 }

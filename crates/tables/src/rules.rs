@@ -312,6 +312,7 @@ rows! {
     pub struct ReamingFeedCondition of One("reaming-feed-condition") asked by ReamingFeedConditionFor<'t> {
         tool_material: ToolMaterial,
         material_group: &'t str,
+        hardness: Brinell,
         diameter: Micrometres,
         final_ as "final": Option<bool>,
         roughness: Option<Roughness>,

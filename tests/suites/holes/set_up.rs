@@ -407,6 +407,25 @@ fn a_holder_in_a_clamp_of_the_file_is_an_error_of_the_plan() {
     assert!(found(&clamped(49), "holder-in-clamp").is_none());
 }
 
+/// The chuck of the centre drill is of unknown thickness, at most that of its collar, Ø97.5: 48.75 mm > 15 mm to a clamp that begins
+/// there. What the program of a plan finds wrong the plan finds wrong, too; a strap of the plan's own may be chosen lower.
+#[test]
+fn a_holder_of_unknown_thickness_beside_a_clamp_is_as_wrong_in_the_plan_as_in_its_program() {
+    let plate = |fixture: &str, size: &str, at: &str| {
+        let text = format!(
+            "part: P\nmaterial: steel-45\nmachine: gf2171\nblank: {{kind: plate, {size}}}\n{fixture}holes:\n  \
+             - {{name: A, diameter: 12H9, through: true, roughness: Ra 2.5, centre_tolerance: 0.3, at: {at}}}\n"
+        );
+        planned(&read(&text), CuttingMethod::Formula)
+    };
+    let clamp = "outline: [[-75, -15], [-45, 15]], height: 60, screw: M10";
+    let given = format!("fixture: {{height: 60, clamps: [{{at: [-60, 0], {clamp}}}, {{at: [60, 0], height: 20, screw: M10}}]}}\n");
+    let given = plate(&given, "length: 150, width: 100, thickness: 40", "[[-30, 0], [30, 0]]");
+    assert_eq!(figures(&given, "holder-may-meet-clamp", &["tool"]).0, Severity::Wrong);
+    let own = plate("", "length: 84, width: 97, thickness: 80", "[[-21, -19.4], [21, 19.4]]");
+    assert_eq!(figures(&own, "holders-may-meet-straps", &["tools"]).0, Severity::Doubtful);
+}
+
 /// Tools go over a clamp that the file gives, unless it says itself how high they go.
 #[test]
 fn a_height_of_the_file_below_its_clamp_sends_tools_through_it() {

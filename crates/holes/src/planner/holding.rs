@@ -26,6 +26,13 @@ pub(super) fn held(mut plan: Plan, shop: &Shop<'_>) -> Result<(Plan, Vec<Finding
     let (clamping, mut findings) = setup::clamping(&plan.part, &entry, shop)?;
     plan.clamping = clamping;
     plan.setup.vice = setup::vice_instead(&plan.part, &plan.holes, &mut findings, shop)?;
+    if plan.setup.vice.is_none()
+        && !findings.is_empty()
+        && let Some(uneven) = setup::uneven_clamping(&plan.part, &plan.holes, Face::Entry, shop)?
+    {
+        plan.clamping = Some(uneven);
+        findings.clear();
+    }
     // A vice holds the part in both set-ups.
     if plan.setup.vice.is_none() {
         let (clamping, of_second) = setup::second_clamping(&plan.part, &plan.holes, shop)?;
@@ -37,6 +44,11 @@ pub(super) fn held(mut plan: Plan, shop: &Shop<'_>) -> Result<(Plan, Vec<Finding
         }
         if plan.setup.vice.is_some() {
             (plan.clamping, plan.setup.second_clamping) = (None, None);
+        } else if !unheld.is_empty()
+            && let Some(uneven) = setup::uneven_clamping(&plan.part, &plan.holes, Face::Back, shop)?
+        {
+            plan.setup.second_clamping = Some(uneven);
+            unheld.clear();
         }
         findings.extend(unheld);
     }

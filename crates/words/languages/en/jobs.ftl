@@ -5,6 +5,7 @@ tool-beside-clamp = T{ $tool } works less than { $least } mm beside what stands 
 rapid-through-clamp = T{ $tool } goes from { $from } to { $to } at { $low } mm over the face, through what stands { $height } mm over it at { $at }: raise `retract` or move the clamp
 holder-in-clamp = T{ $tool }: what is above the cutter, Ø{ $diameter }, comes down at { $at } to { $low } mm over the face < { $height } mm of what stands at { $clamp }: move that, or take a lower one or a longer tool
 holder-may-meet-clamp = T{ $tool }: what is above the cutter is of unknown thickness; as thick as its collar, Ø{ $diameter }, it comes down at { $at } to { $low } mm over the face < { $height } mm of what stands at { $clamp }: measure the holder
+holders-may-meet-straps = { $tools }: what is above these cutters is of unknown thickness; as thick as a collar, Ø{ $diameter }, it comes down at { $at } to { $low } mm over the face < { $height } mm of the proposed strap at { $clamp }: measure the holders, or take lower straps
 out-below-in-own-fixture = the tool comes out { $below } mm below the part: the fixture must leave that free there
 supports-assumed = no height of the fixture is given (fixture.height) and a tool comes out { $below } mm below the part: supports of { $height } mm are assumed
 change-over-part = the place of the tool change, X{ $x } Y{ $y }, is over the part

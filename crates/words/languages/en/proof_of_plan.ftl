@@ -24,7 +24,7 @@ proof-thrust = { $operation }: thrust { $value } N > { $percent } % of the permi
 proof-torque = { $operation }: torque { $value } N·m > { $percent } % of the permissible { $limit } N·m
 proof-power = { $operation }: power { $value } kW > { $percent } % of the drive's { $limit } kW
 not-proven = the plan is not proven: { $why }
-ends-above-floor = over the flat floor or shoulder the last { $left } of { $depth } mm of Ø{ $diameter } are not finished: the tool stops above it so as not to run into it, a reamer or core drill by its lead, too
+ends-above-floor = over the flat floor or shoulder the last { $left } of { $depth } mm of Ø{ $diameter } are not finished: the tool stops above it so as not to run into it, a reamer or core drill by its lead, too; what must go down to the floor needs a relief groove in the drawing
 lost-by-preference = the tables are preferred; it would be quicker by { $quicker } min
 tables-preferred = the tables are preferred: { $own } min; the best plan takes { $best } min and saves { $saves } min
 no-vice = nothing holds the part: no vice of the table takes it either: { $why }; name a fixture of your own under `fixture: {"{"}own: …{"}"}`, or give `clamps` that hold it
@@ -39,7 +39,7 @@ vice-no-grip = { $vice }: of a part { $thickness } mm thick the jaws of { $jaws 
 vice-not-that-high = { $vice }: { $height } mm under the part by the file stands against it: its ways are { $ways } mm high, and no parallels make up the rest with a grip of { $least } to { $most } mm in jaws of { $jaws } mm; a tool comes out { $below } mm below
 vice-parallels-in-the-way = { $vice }: { $beside } mm from a jaw to the nearest hole < { $thinnest } mm, the thinnest parallels: the tool would cut them
 straps-of-number = { $clamps } straps: { $why }
-no-place-for-clamps = none of the places that are tried for two, four or six straps on the face would hold the part: { $why }; give places under `clamps`, cut lighter, or take a vice or a fixture of your own and name it under `own`, to hold against M = { $torque } N·m
+no-place-for-clamps = none of the places that are tried for two, three, four or six straps on the face would hold the part: { $why }; give places under `clamps`, cut lighter, or take a vice or a fixture of your own and name it under `own`, to hold against M = { $torque } N·m
 holder-in-strap = T{ $tool }: what is above the cutter, Ø{ $diameter }, comes down to { $low } mm over the face at { $at }, beside a strap that stands { $height } mm over it
 straps-in-the-way = straps at the places that are tried keep the job from running: { $why }; those proposed first stand { $height } mm over the face with their nuts, and neither lower ones nor a vice of the table help: hold the part by a fixture that stands no higher than { $most } mm over the face and give it in the file, as `own`, `clamps` with a height or `obstacles`; this plan has no clamps
 in-second-set-up = in set-up 2: { $why }
