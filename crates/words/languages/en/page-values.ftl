@@ -418,7 +418,6 @@ table-value-cross-elements = cross elements
 table-value-two-keys = two keys
 table-value-straps = straps
 table-value-vice = vice
-table-value-chuck = chuck
 table-value-special = special
 table-value-specialised = specialised
 table-value-universal = universal

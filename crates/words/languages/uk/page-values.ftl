@@ -418,7 +418,6 @@ table-value-cross-elements = поперечні елементи
 table-value-two-keys = дві шпонки
 table-value-straps = притискачі
 table-value-vice = лещата
-table-value-chuck = патрон
 table-value-special = спеціальне
 table-value-specialised = спеціалізоване
 table-value-universal = універсальне
