@@ -5,9 +5,11 @@
 //! - `pins`: the pins of a part that lies on holes;
 //! - `places`: where straps may stand;
 //! - `vice`: a vice, where clamps find no place;
+//! - `chuck`: a chuck on the table, the same for round parts;
 //! - `chains`: zeros by the dimensions of the drawing, and whether their chains close.
 
 mod chains;
+mod chuck;
 mod fixture;
 mod hold;
 mod pins;
@@ -20,7 +22,7 @@ use crate::error::KnowledgeError;
 use crate::knowledge::RowRef;
 use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::part::{Face, Fixture, Outline, Part, Point};
-use crate::plan::{Clamping, HolePlan, Operation, OwnFixture, Strap, Transition, Vice};
+use crate::plan::{Chuck, Clamping, HolePlan, Operation, OwnFixture, Plan, Strap, Transition, Vice};
 use crate::shop::{Shop, convention};
 use crate::tables::controls::Convention;
 use crate::tables::holes::HoleDefault;
@@ -167,32 +169,63 @@ pub fn of_face(plan: &HolePlan, face: Face) -> HolePlan {
     HolePlan { transitions, ..plan.clone() }
 }
 
-/// A vice for a part that no clamps hold: where the file names neither clamps nor what else stands there, and `findings` of
-/// [`clamping`] say that clamps find no place. The finding then goes; where no vice takes the part either, or none at the height
+/// A device whose jaws hold the part at its sides, in both set-ups.
+#[derive(Clone, Debug)]
+pub enum Jaws {
+    /// Two flat ones.
+    Vice(Vice),
+    /// Three about a round part.
+    Chuck(Chuck),
+}
+
+impl Jaws {
+    /// Sets them in a plan, which has no clamps then.
+    pub fn hold(self, plan: &mut Plan) {
+        (plan.clamping, plan.setup.second_clamping) = (None, None);
+        match self {
+            Self::Vice(vice) => plan.setup.vice = Some(vice),
+            Self::Chuck(chuck) => plan.setup.chuck = Some(chuck),
+        }
+    }
+}
+
+/// The jaws of the tables that hold the part, or why none do: between two flat ones a disc would roll.
+///
+/// # Errors
+/// The knowledge base has no answer.
+pub fn jaws(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Result<Jaws, Note>, KnowledgeError> {
+    Ok(match part.blank.is_round() {
+        true => chuck(part, holes, shop)?.map(Jaws::Chuck).map_err(|why| Note::new("no-chuck").with("why", why)),
+        false => vice(part, holes, shop)?.map(Jaws::Vice).map_err(|why| Note::new("no-vice").with("why", why)),
+    })
+}
+
+/// Jaws for a part that no clamps hold: where the file names neither clamps nor what else stands there, and `findings` of
+/// [`clamping`] say that clamps find no place. The finding then goes; where no jaws take the part either, or none at the height
 /// of the file, another one says why.
 ///
 /// # Errors
 /// The knowledge base has no answer.
-pub fn vice_instead(
+pub fn jaws_instead(
     part: &Part,
     holes: &[HolePlan],
     findings: &mut Vec<Finding>,
     shop: &Shop<'_>,
-) -> Result<Option<Vice>, KnowledgeError> {
+) -> Result<Option<Jaws>, KnowledgeError> {
     // Of a file without clamps there is no other finding.
     let Fixture { clamps, obstacles, pins, .. } = &part.fixture;
     // Jaws and pins would each put the part where the other does not.
     if !clamps.is_empty() || !obstacles.is_empty() || !pins.is_empty() || findings.is_empty() {
         return Ok(None);
     }
-    match vice(part, holes, shop)? {
-        Ok(vice) => {
+    match jaws(part, holes, shop)? {
+        Ok(jaws) => {
             findings.clear();
-            Ok(Some(vice))
+            Ok(Some(jaws))
         }
         Err(why) => {
             // Nobody may begin to cut a part that nothing holds; a fixture of the shop's own is for the file to name.
-            findings.push(Finding::of_part(Severity::Wrong, Note::new("no-vice").with("why", why)));
+            findings.push(Finding::of_part(Severity::Wrong, why));
             Ok(None)
         }
     }
@@ -226,6 +259,7 @@ pub fn own(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Option<Ow
 use places::{blocked, proposals, uneven};
 
 pub use chains::{Chains, chains};
+pub use chuck::chuck;
 pub use fixture::{fixture, held_by, locating};
 pub use vice::vice;
 

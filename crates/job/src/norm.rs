@@ -235,6 +235,7 @@ fn loading(plan: &Plan, figures: &Figures<'_>) -> Result<Vec<NormItem>, Knowledg
     let held = match plan.setup.fixture.as_ref().map(|fixture| fixture.held) {
         Some(HeldBy::Straps) => LoadedBy::Straps,
         Some(HeldBy::Vice) => LoadedBy::Vice,
+        Some(HeldBy::Chuck) => LoadedBy::Chuck,
         Some(HeldBy::Nothing | HeldBy::Own) | None => return Ok(Vec::new()),
     };
     let Some(mass) = mass(&plan.part, figures.0)? else { return Ok(Vec::new()) };

@@ -5,7 +5,7 @@ use crate::machine::Machine;
 use crate::motion::{Axis, Position};
 use crate::note::{Finding, Note, Severity};
 use crate::part::{Part, Point, Standing};
-use crate::plan::Plan;
+use crate::plan::{Held, Plan};
 use crate::shop::Shop;
 use crate::tables::controls::Convention;
 use crate::units::Micrometres;
@@ -53,9 +53,10 @@ pub(super) fn stand(
     let room = Micrometres::from_mm_rounded(convention(Convention::ObstacleClearance, shop.knowledge)?.0);
     let over = standing.iter().filter(|_| part.fixture.retract.is_none()).map(|one| part.datum.top + one.height + room);
     let heights = over.chain([heights]).max().unwrap_or(heights);
-    let supports = match &plan.setup.vice {
-        Some(vice) => vice.height(),
-        None => supports(part, works, shop, findings)?,
+    let supports = match plan.held(1) {
+        Held::Vice(vice) => vice.height(),
+        Held::Chuck(chuck) => chuck.part_height_mm,
+        _ => supports(part, works, shop, findings)?,
     };
     // From the table to the zero of the drawing.
     let zero_height = supports + part.blank.thickness - part.datum.top;

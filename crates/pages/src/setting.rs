@@ -126,12 +126,13 @@ fn stand(setup: &SetUp, plan: &Plan, lang: Lang) -> Vec<String> {
     // What lies under the part in a vice is told with the vice.
     let held = plan.held(number);
     let mut lines = vec![match held {
-        Held::Vice(_) => say!(lang, "setting-stand-vice", setup = number, nose = nose),
+        Held::Vice(_) | Held::Chuck(_) => say!(lang, "setting-stand-vice", setup = number, nose = nose),
         Held::Own(_) => say!(lang, "setting-stand-own", setup = number, supports = setup.supports, nose = nose),
         _ => say!(lang, "setting-stand", setup = number, supports = setup.supports, nose = nose),
     }];
     if let Some(stand) = plan.setup.stands.iter().find(|stand| stand.set_up == number) {
-        let turned = super::sheet::turned_over(stand, plan, lang).filter(|_| !matches!(held, Held::Vice(_)));
+        let turned =
+            super::sheet::turned_over(stand, plan, lang).filter(|_| !matches!(held, Held::Vice(_) | Held::Chuck(_)));
         lines.extend(turned);
         lines.extend(super::sheet::stops(stand, plan, lang));
         lines.extend(stand.bars.iter().map(|bar| super::sheet::bar_set(bar, lang)));
@@ -146,6 +147,10 @@ fn held(setup: &SetUp, plan: &Plan, lang: Lang) -> Vec<String> {
         Held::Vice(vice) => {
             let stand = plan.setup.stands.iter().filter(|stand| stand.set_up == number);
             stand.map(|stand| super::sheet::in_vice(vice, stand, plan, lang)).collect()
+        }
+        Held::Chuck(chuck) => {
+            let stand = plan.setup.stands.iter().filter(|stand| stand.set_up == number);
+            stand.map(|stand| super::sheet::in_chuck(chuck, stand, plan, lang)).collect()
         }
         // It holds the part in both set-ups, and is told once.
         Held::Own(own) if number == 1 => vec![super::sheet::own_fixture(own, &plan.part, lang)],
@@ -174,6 +179,7 @@ fn set_ups(plan: &Plan, job: &Job, lang: Lang) -> Vec<String> {
     let marked = job.setups.iter().any(|setup| {
         let because: &[Because] = match plan.held(setup.number) {
             Held::Vice(vice) => &vice.because,
+            Held::Chuck(chuck) => &chuck.because,
             Held::Straps(clamping) => &clamping.because,
             Held::Own(_) | Held::Nothing => &[],
         };

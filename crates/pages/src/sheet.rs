@@ -23,7 +23,7 @@ mod tools;
 
 pub(super) use conditions::section as conditions;
 pub(crate) use set_up::{
-    bar_set, in_vice, less, less_radii, once, own_fixture, section as set_up, stops, turned_over, zero_sums,
+    bar_set, in_chuck, in_vice, less, less_radii, once, own_fixture, section as set_up, stops, turned_over, zero_sums,
 };
 pub(crate) use tools::named;
 pub(super) use tools::{corrections, tools};

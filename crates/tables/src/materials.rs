@@ -1,7 +1,7 @@
 //! Row types: materials and clamping.
 
 use technolog_knowledge::contract::{Named, Use};
-use technolog_knowledge::units::{Brinell, ItGrade, Megapascals, Micrometres, Newtons};
+use technolog_knowledge::units::{Brinell, ItGrade, Kilograms, Megapascals, Micrometres, Newtons};
 use technolog_knowledge::{rows, vocabulary};
 
 use crate::rules::{PinKind, TableKeying};
@@ -28,6 +28,7 @@ vocabulary! {
     pub enum SettingErrorOf {
         Straps = "straps",
         Vice = "vice",
+        Chuck = "chuck",
         Touch = "touch",
         Truing = "truing",
     }
@@ -103,6 +104,23 @@ rows! {
         jaw_height: Micrometres,
         bed_height: Micrometres,
         force: Newtons,
+    }
+
+    /// Three-jaw chucks that lie on the table, those that are tried first first; a row for each wall of the steps of their jaws.
+    pub struct TableChuck of One("chucks") {
+        designation: &'t str,
+        step: i64,
+        diameter: Micrometres,
+        part_diameter_min: Micrometres,
+        part_diameter_max: Micrometres,
+        part_height: Micrometres,
+        room: Micrometres,
+        wall: Micrometres,
+        jaws_above: Micrometres,
+        ledge: Micrometres,
+        jaw_width: Micrometres,
+        force: Newtons,
+        mass: Kilograms,
     }
 
     /// Parallels under a part in a vice.

@@ -26,6 +26,8 @@ vocabulary! {
         Straps = "straps",
         /// A vice.
         Vice = "vice",
+        /// A three-jaw chuck on the table, with its key.
+        Chuck = "chuck",
     }
 
     /// A figure of `time-norms`.

@@ -64,16 +64,69 @@ fn a_disc_is_held_at_its_rim_and_found_by_its_axis() {
     assert_eq!((stand.zero_mm[0], stand.zero_mm[1]), (Micrometres::ZERO, Micrometres::ZERO));
 }
 
-/// Feet 20 mm to both sides of where a strap presses do not stand on a ring 30 mm wide, and a disc rolls between flat jaws.
+/// Feet 20 mm to both sides of where a strap presses do not stand on a ring 30 mm wide, so jaws hold it: on their outer wall from
+/// Ø98 on, 117.7 mm over the table; the wall of 14.6 mm ends 15.4 mm below the face of a ring 30 mm thick.
+///
+/// M and T of the drill: 2.5·2·M/(D·f) against turning; and about the line between two jaws 22 mm wide, 60·cos(60° − asin(11/60))
+/// = 39.02 mm from the axis, 2.5·T·(45 − 39.02)/(60 + 39.02) must be borne by 0.15/3 of the force.
 #[test]
-fn a_narrow_ring_is_not_held_until_the_file_says_by_what() {
-    let ring = "diameter: 120, bore: 60, thickness: 30";
-    let bare = plan(ring, "", "[[45, 0]]");
-    assert!(bare.clamping.is_none() && bare.setup.vice.is_none());
-    assert_eq!(told(&bare, "no-vice"), Some(Severity::Wrong));
-    let own = plan(ring, "fixture: {own: chuck of the shop, height: 90}", "[[45, 0]]");
-    assert!(!own.has_errors(), "{:?}", own.findings);
-    assert_eq!(told(&own, "no-vice"), None);
+fn a_narrow_ring_is_held_in_a_chuck() {
+    let plan = plan("diameter: 120, bore: 60, thickness: 30", "", "[[45, 0]]");
+    assert!(!plan.has_errors(), "{:?}", plan.findings);
+    assert!(plan.clamping.is_none() && plan.setup.vice.is_none());
+    let chuck = plan.setup.chuck.as_ref().unwrap();
+    let um = |length: Micrometres| length.micrometres();
+    assert_eq!((chuck.step, um(chuck.part_height_mm), um(chuck.below_face_mm)), (2, 117_700, 15_400));
+    let [stand] = &plan.setup.stands[..] else { panic!("{:?}", plan.setup.stands) };
+    assert_eq!(um(stand.height_mm), 117_700, "the zero of Z lies on the jaws");
+    let cuts = || plan.holes[0].transitions.iter().map(|one| &one.conditions);
+    let torque = cuts().filter_map(|one| one.torque_n_m).fold(0.0_f64, |most, one| most.max(one.0));
+    let thrust = cuts().filter_map(|one| one.axial_force_n).fold(0.0_f64, |most, one| most.max(one.0));
+    let needed = (2.5 * 2.0 * torque / (0.12 * 0.15)).max(2.5 * thrust * (45.0 - 39.02) / (60.0 + 39.02) / 0.05);
+    assert!((chuck.force_n.0 - needed).abs() < 5.0, "{} for {needed}", chuck.force_n.0);
+    let fixture = plan.setup.fixture.as_ref().unwrap();
+    assert_eq!((fixture.held, fixture.keying), (HeldBy::Chuck, None));
+}
+
+/// Ø10 at 45 mm: the hole reaches from 40 to 50 mm, over the steps under the ring, which end 36 mm from the axis. A jaw 22 mm wide
+/// is clear of it by 1 mm from asin((11 + 5 + 1)/45) = 22.2° on; three holes at 0°, 120°, 240° leave the jaws 60° to stand at.
+#[test]
+fn no_jaw_stands_under_a_through_hole() {
+    let plan = plan("diameter: 120, bore: 60, thickness: 30", "", "[[45, 0], [-22.5, 38.971], [-22.5, -38.971]]");
+    let jaws = plan.setup.chuck.as_ref().unwrap().jaws(technolog::part::Face::Entry);
+    for jaw in jaws {
+        let off = [0, 120, 240].map(|hole: i64| (i64::from(jaw) - hole + 540).rem_euclid(360) - 180);
+        assert!(off.iter().all(|off| off.abs() > 22), "{jaws:?}");
+    }
+    // Turned over, right and left change places: 30° and 90° are then the same jaws.
+    assert_eq!(plan.setup.chuck.as_ref().unwrap().jaws(technolog::part::Face::Back), jaws);
+}
+
+/// What no chuck of the table holds: a disc too thin for the jaws to end below its face, one with through holes every 20° so that
+/// each place of the jaws meets one, one wider than the table has.
+#[test]
+fn a_disc_that_no_chuck_holds_needs_a_fixture_of_its_own() {
+    let asked = "fixture: {holding: chuck}";
+    let at = |radius: f64, count: u32| {
+        let point = |step: u32| f64::from(step) * std::f64::consts::TAU / f64::from(count);
+        let points = (0..count).map(point).map(|a| format!("[{:.3}, {:.3}]", radius * a.cos(), radius * a.sin()));
+        format!("[{}]", points.collect::<Vec<_>>().join(", "))
+    };
+    for (blank, holes, why) in [
+        ("diameter: 120, thickness: 16", at(30.0, 1), "chuck-no-grip"),
+        ("diameter: 120, thickness: 30", at(45.0, 18), "chuck-jaws-below"),
+        ("diameter: 330, thickness: 30", at(45.0, 1), "chuck-of-no-size"),
+    ] {
+        let plan = plan(blank, asked, &holes);
+        let finding = plan.findings.iter().find(|finding| finding.note.code() == "no-chuck").unwrap();
+        assert_eq!(finding.severity, Severity::Wrong);
+        assert!(format!("{:?}", finding.note).contains(why), "{:?}", finding.note);
+        assert!(plan.setup.chuck.is_none() && plan.clamping.is_none(), "{blank}");
+    }
+    let own = plan("diameter: 120, thickness: 16", "fixture: {own: chuck of the shop, height: 90}", "[[45, 0]]");
+    assert!(!own.has_errors() && told(&own, "no-chuck").is_none(), "{:?}", own.findings);
+    let held = plan("diameter: 120, thickness: 17", asked, "[[30, 0]]");
+    assert_eq!(held.setup.chuck.as_ref().map(|chuck| chuck.below_face_mm.micrometres()), Some(2400));
 }
 
 /// Between the corners of the plate about a disc there is no metal: a hole at [60, 60] is 84.9 mm from the axis, and one of 10 mm

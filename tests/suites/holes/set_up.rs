@@ -344,7 +344,7 @@ fn the_fixture_is_chosen_by_what_holds_the_part() {
         let error = match held {
             HeldBy::Straps => Some([25, 70].map(Micrometres::new)),
             HeldBy::Vice => Some([50, 100].map(Micrometres::new)),
-            HeldBy::Own | HeldBy::Nothing => None,
+            HeldBy::Own | HeldBy::Nothing | HeldBy::Chuck => None,
         };
         assert_eq!(fixture.locating_error_mm, error);
     }

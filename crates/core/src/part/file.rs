@@ -11,7 +11,7 @@ use schemars::{JsonSchema, Schema, schema_for};
 use serde::Deserialize;
 use technolog_knowledge::forms;
 
-use super::{BlankKind, Entry};
+use super::{BlankKind, Entry, Holding};
 use hole::Hole;
 use slot::Slot;
 
@@ -131,6 +131,8 @@ forms! {
         pub retract: Option<Size>,
         /// The name of a fixture of the shop's own that holds the part: then neither clamps nor a vice are planned. `height` is then needed.
         pub own: Option<Name>,
+        /// The device that holds the part: `chuck`, a three-jaw chuck on the table, for a disc; else straps where they hold it.
+        pub holding: Option<Holding>,
     }
 
     /// A finished hole of the blank that takes a pin.

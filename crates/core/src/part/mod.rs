@@ -135,6 +135,22 @@ pub struct Fixture {
     /// The name of a fixture of the shop's own that holds the part.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub own: Option<String>,
+    /// The device that the file asks for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub holding: Option<Holding>,
+}
+
+/// A device of the tables that a file may ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Holding {
+    /// A three-jaw chuck on the table.
+    Chuck,
+}
+
+impl Holding {
+    /// Their names in files.
+    pub const NAMES: &'static [(&'static str, Self)] = &[("chuck", Self::Chuck)];
 }
 
 /// A finished hole of the blank, by which a pin locates the part.

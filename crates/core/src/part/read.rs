@@ -86,6 +86,13 @@ impl Reader<'_> {
             Some(node) => self.fixture(node, &mut clamps, &mut pins),
             None => Some(Fixture::default()),
         };
+        if let (Some(node), Some(blank), Some(Some(_))) =
+            (fixture_node, blank, fixture.as_ref().map(|fixture| fixture.holding))
+            && !blank.is_round()
+        {
+            let help = note!("part-leave-holding-out");
+            self.problems.error_help::<()>("bad-value", note!("part-chuck-holds-discs"), &node.place, help);
+        }
         let mut groups = holes_node.map(|node| self.groups(node, blank.as_ref())).unwrap_or_default();
         groups.extend(slots_node.map(|node| self.slots(node, blank.as_ref(), datum.as_ref())).unwrap_or_default());
         check::check_names(&groups, self.problems);

@@ -5,7 +5,7 @@ use technolog_note::note;
 use super::file;
 use super::limits::LimitedCount;
 use super::read::Reader;
-use super::{Clamp, Fixture, Obstacle, PinHole, Point};
+use super::{Clamp, Fixture, Holding, Obstacle, PinHole, Point};
 use crate::knowledge::diagnostic::Place;
 use crate::knowledge::yaml::Node;
 use crate::tables::materials::ClampScrew;
@@ -25,11 +25,18 @@ impl Reader<'_> {
         let obstacles = fields.take(file::Fixture::obstacles);
         let retract = self.size(&mut fields, file::Fixture::retract);
         let own_node = fields.take(file::Fixture::own);
+        let holding_node = fields.take(file::Fixture::holding);
         fields.finish(self.problems);
         let own = own_node.and_then(|node| self.name(node));
         if let (Some(own), Some(_)) = (own_node, clamps_node) {
             let help = note!("part-keep-one-them");
             self.problems.error_help::<()>("bad-value", note!("part-own-fixture-and-clamps"), &own.place, help);
+        }
+        let holding = holding_node.and_then(|node| self.choice(node, Holding::NAMES));
+        // Each of them says otherwise what holds the part, or where it lies.
+        if let (Some(node), Some(_)) = (holding_node, own_node.or(clamps_node).or(pins)) {
+            let help = note!("part-keep-one-them");
+            self.problems.error_help::<()>("bad-value", note!("part-chuck-and-other-holding"), &node.place, help);
         }
         if let (Some(pins), None) = (pins, height) {
             let help = note!("part-pins-say-height");
@@ -56,7 +63,7 @@ impl Reader<'_> {
             clamps.extend(at.map(|at| Clamp { at, screw, height, outline }));
         }
         let pins = pinned.iter().map(|(pin, _)| pin.clone()).collect();
-        Some(Fixture { height, clamps, pins, obstacles, retract, own })
+        Some(Fixture { height, clamps, pins, obstacles, retract, own, holding })
     }
 
     /// One or two holes of pins: a third pin would hold what two hold already.

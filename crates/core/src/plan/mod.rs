@@ -25,8 +25,8 @@ pub use chain::{Chain, ChainError, ChainTerm, PartZero};
 pub use order::{Mixture, Stop, Times, ToolVisit, Visiting};
 pub use route::{Achieved, Alternative, AlternativeStep, Feature, Route, RouteSource};
 pub use set_up::{
-    BarSetting, FixturePlan, Held, Loading, LocatingPin, OtherZero, OwnFixture, PinPair, Setup, Stand, Strap, Touched,
-    Vice,
+    BarSetting, Chuck, FixturePlan, Held, Loading, LocatingPin, OtherZero, OwnFixture, PinPair, Setup, Stand, Strap,
+    Touched, Vice,
 };
 
 /// What holds cutting conditions back.
@@ -120,13 +120,14 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// What holds the part in a set-up, from 1. A vice or a fixture of the shop's own holds it in both.
+    /// What holds the part in a set-up, from 1. A vice, a chuck or a fixture of the shop's own holds it in both.
     pub const fn held(&self, set_up: u32) -> Held<'_> {
-        match (&self.setup.own, &self.setup.vice, self.clamping_of(set_up)) {
-            (Some(own), _, _) => Held::Own(own),
-            (None, Some(vice), _) => Held::Vice(vice),
-            (None, None, Some(clamping)) => Held::Straps(clamping),
-            (None, None, None) => Held::Nothing,
+        match (&self.setup.own, &self.setup.vice, &self.setup.chuck, self.clamping_of(set_up)) {
+            (Some(own), ..) => Held::Own(own),
+            (None, Some(vice), ..) => Held::Vice(vice),
+            (None, None, Some(chuck), _) => Held::Chuck(chuck),
+            (None, None, None, Some(clamping)) => Held::Straps(clamping),
+            (None, None, None, None) => Held::Nothing,
         }
     }
 

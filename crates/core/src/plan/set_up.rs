@@ -19,6 +19,9 @@ pub struct Setup {
     /// The vice, where straps find no place on the face; without one the part lies on the table, or on what the file says.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vice: Option<Vice>,
+    /// The chuck on the table, for a round part that straps do not hold, or where the file asks for one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub chuck: Option<Chuck>,
     /// The clamps of the second set-up, in which the part lies turned over: places as it lies then. Absent where nothing is cut there,
     /// the file gives what stands there, or no straps find a place.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -170,6 +173,51 @@ impl Vice {
     }
 }
 
+/// A three-jaw chuck that lies on the table, with the part on a step of its jaws.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Chuck {
+    /// Its designation.
+    pub designation: String,
+    /// Its table.
+    pub table: String,
+    /// Its diameter, mm.
+    pub diameter_mm: Micrometres,
+    /// The wall of the jaws that holds the part: 2 the outer one, 1 the one inside it.
+    pub step: u32,
+    /// From the table to the part, mm.
+    pub part_height_mm: Micrometres,
+    /// Below the part to the body, beside the jaws, mm.
+    pub room_mm: Micrometres,
+    /// How deep the jaws grip the part, mm.
+    pub grip_mm: Micrometres,
+    /// How far the jaws stay below the face, mm: nothing of the chuck stands over it.
+    pub below_face_mm: Micrometres,
+    /// Where the first jaw stands, degrees from X towards Y in the drawing, the others 120° on: no tool that comes out below meets one.
+    pub jaw_deg: u32,
+    /// How wide a jaw is, mm.
+    pub jaw_width_mm: Micrometres,
+    /// From the axis to where the steps of the jaws end that a tool coming out below could meet, mm.
+    pub jaws_from_mm: Micrometres,
+    /// The force that all jaws must press with together, N.
+    pub force_n: Newtons,
+    /// The group of holes that needs it.
+    pub hole: String,
+    /// The force that the chuck gives, N.
+    pub gives_n: Newtons,
+    /// Its mass, kg.
+    pub mass_kg: f64,
+    /// Why.
+    pub because: Vec<Because>,
+}
+
+impl Chuck {
+    /// Where its jaws stand, degrees from X as the part lies with that face up: turned over, left and right change places.
+    pub fn jaws(&self, face: Face) -> [u32; 3] {
+        let first = if face == Face::Back { (180 + 360 - self.jaw_deg) % 120 } else { self.jaw_deg % 120 };
+        [first, first + 120, first + 240]
+    }
+}
+
 /// A strap of a proposed clamp: a rectangle that reaches outward over the nearest side of the part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Strap {
@@ -207,6 +255,8 @@ pub enum Held<'p> {
     Straps(&'p Clamping),
     /// A vice.
     Vice(&'p Vice),
+    /// A chuck.
+    Chuck(&'p Chuck),
     /// A fixture of the shop's own.
     Own(&'p OwnFixture),
     /// Nothing that the plan knows.

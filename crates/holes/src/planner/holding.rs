@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::error::KnowledgeError;
 use crate::job::{self, Body, Cycle, CycleKind};
 use crate::note::{Finding, Note, Severity};
-use crate::part::{Face, Point, Standing};
+use crate::part::{Face, Holding, Point, Standing};
 use crate::plan::{Clamping, HolePlan, Plan};
 use crate::sequence;
 use crate::setup;
@@ -13,7 +13,7 @@ use crate::shop::Shop;
 use crate::tables::holes::HoleDefault;
 use crate::units::Micrometres;
 
-/// The plan with clamps or a vice, and what is to be said of them.
+/// The plan with clamps, a vice or a chuck, and what is to be said of them.
 ///
 /// Straps of the plan's own stand over the face, and tools go over them: the quill may then lack the travel for the depth of a hole.
 /// Other places are tried, with them more and lower straps, and a vice, until the job runs as it would with nothing on the face. Where
@@ -22,35 +22,14 @@ use crate::units::Micrometres;
 /// # Errors
 /// The knowledge base has no answer.
 pub(super) fn held(mut plan: Plan, shop: &Shop<'_>) -> Result<(Plan, Vec<Finding>), KnowledgeError> {
-    let entry: Vec<HolePlan> = plan.holes.iter().map(|one| setup::of_face(one, Face::Entry)).collect();
-    let (clamping, mut findings) = setup::clamping(&plan.part, &entry, shop)?;
-    plan.clamping = clamping;
-    plan.setup.vice = setup::vice_instead(&plan.part, &plan.holes, &mut findings, shop)?;
-    if plan.setup.vice.is_none()
-        && !findings.is_empty()
-        && let Some(uneven) = setup::uneven_clamping(&plan.part, &plan.holes, Face::Entry, shop)?
-    {
-        plan.clamping = Some(uneven);
-        findings.clear();
-    }
-    // A vice holds the part in both set-ups.
-    if plan.setup.vice.is_none() {
-        let (clamping, of_second) = setup::second_clamping(&plan.part, &plan.holes, shop)?;
-        plan.setup.second_clamping = clamping;
-        // What straps do not hold turned over, a vice holds in both set-ups.
-        let mut unheld = of_second;
-        if findings.is_empty() {
-            plan.setup.vice = setup::vice_instead(&plan.part, &plan.holes, &mut unheld, shop)?;
+    let mut findings = Vec::new();
+    if plan.part.fixture.holding == Some(Holding::Chuck) && !plan.tools.is_empty() {
+        match setup::jaws(&plan.part, &plan.holes, shop)? {
+            Ok(jaws) => jaws.hold(&mut plan),
+            Err(why) => findings.push(Finding::of_part(Severity::Wrong, why)),
         }
-        if plan.setup.vice.is_some() {
-            (plan.clamping, plan.setup.second_clamping) = (None, None);
-        } else if !unheld.is_empty()
-            && let Some(uneven) = setup::uneven_clamping(&plan.part, &plan.holes, Face::Back, shop)?
-        {
-            plan.setup.second_clamping = Some(uneven);
-            unheld.clear();
-        }
-        findings.extend(unheld);
+    } else {
+        findings = strapped(&mut plan, shop)?;
     }
     // Where stops and supports stand nobody says.
     let open = plan.part.holes.iter().filter_map(|hole| Some((hole, hole.slot?.open?)));
@@ -64,6 +43,38 @@ pub(super) fn held(mut plan: Plan, shop: &Shop<'_>) -> Result<(Plan, Vec<Finding
         findings.extend(finding);
     }
     Ok((plan, findings))
+}
+
+/// Straps in both set-ups, or where these do not hold the part jaws, which hold it in both; what is to be said of them.
+fn strapped(plan: &mut Plan, shop: &Shop<'_>) -> Result<Vec<Finding>, KnowledgeError> {
+    let entry: Vec<HolePlan> = plan.holes.iter().map(|one| setup::of_face(one, Face::Entry)).collect();
+    let (clamping, mut findings) = setup::clamping(&plan.part, &entry, shop)?;
+    plan.clamping = clamping;
+    if let Some(jaws) = setup::jaws_instead(&plan.part, &plan.holes, &mut findings, shop)? {
+        jaws.hold(plan);
+        return Ok(findings);
+    }
+    if !findings.is_empty()
+        && let Some(uneven) = setup::uneven_clamping(&plan.part, &plan.holes, Face::Entry, shop)?
+    {
+        plan.clamping = Some(uneven);
+        findings.clear();
+    }
+    let (clamping, mut unheld) = setup::second_clamping(&plan.part, &plan.holes, shop)?;
+    plan.setup.second_clamping = clamping;
+    // What straps do not hold turned over, jaws hold in both set-ups.
+    if findings.is_empty()
+        && let Some(jaws) = setup::jaws_instead(&plan.part, &plan.holes, &mut unheld, shop)?
+    {
+        jaws.hold(plan);
+    } else if !unheld.is_empty()
+        && let Some(uneven) = setup::uneven_clamping(&plan.part, &plan.holes, Face::Back, shop)?
+    {
+        plan.setup.second_clamping = Some(uneven);
+        unheld.clear();
+    }
+    findings.extend(unheld);
+    Ok(findings)
 }
 
 /// The plan with clamps of its own on a face that keep no tool from its work.
@@ -107,11 +118,10 @@ fn out_of_the_way(plan: Plan, face: Face, shop: &Shop<'_>) -> Result<(Plan, Opti
     let obstacles = !plan.part.fixture.obstacles.is_empty();
     if face == Face::Entry
         && !obstacles
-        && let Ok(vice) = setup::vice(&plan.part, &plan.holes, shop)?
+        && let Ok(jaws) = setup::jaws(&plan.part, &plan.holes, shop)?
     {
         let mut other = bare.clone();
-        other.setup.second_clamping = None;
-        other.setup.vice = Some(vice);
+        jaws.hold(&mut other);
         if is_as_good(&other, &without, shop)? {
             return Ok((other, None));
         }

@@ -377,6 +377,9 @@ fn unconfirmed(plan: &mut Plan) {
     if let Some(vice) = &plan.setup.vice {
         look(&vice.because, None);
     }
+    if let Some(chuck) = &plan.setup.chuck {
+        look(&chuck.because, None);
+    }
     if let Some(fixture) = &plan.setup.fixture {
         look(&fixture.because, None);
     }

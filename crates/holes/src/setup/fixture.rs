@@ -17,6 +17,7 @@ pub const fn held_by(held: Held<'_>) -> HeldBy {
     match held {
         Held::Straps(_) => HeldBy::Straps,
         Held::Vice(_) => HeldBy::Vice,
+        Held::Chuck(_) => HeldBy::Chuck,
         Held::Own(_) => HeldBy::Own,
         Held::Nothing => HeldBy::Nothing,
     }
@@ -51,8 +52,9 @@ pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<(Option<FixturePlan>, Vec
     let answer = shop.knowledge.ask(&ask)?;
     let kind = answer.need(held.name())?.kind;
     let mut because = vec![Because::answer(&answer.answer, Note::new("fixture-kind"))];
-    // A table with T-slots of which nothing else is said has neither cross slot nor central hole.
-    let keying = if shop.machine.slots {
+    // A table with T-slots of which nothing else is said has neither cross slot nor central hole. A chuck has no keys: its axis is
+    // found where it lies.
+    let keying = if shop.machine.slots && held != HeldBy::Chuck {
         let answer = shop.knowledge.ask(&FixtureKeyingFor { cross_element: false, plate: false })?;
         because.push(Because::answer(&answer.answer, Note::new("fixture-keying")));
         Some(answer.need("two-keys")?.keying)
@@ -65,9 +67,9 @@ pub fn fixture(plan: &Plan, shop: &Shop<'_>) -> Result<(Option<FixturePlan>, Vec
     because.push(why);
     let Pins { pins, pair, because: of_pins, findings } = pins(&plan.part, locating, shop)?;
     because.extend(of_pins);
-    // On a plane and two holes no side of the part touches anything, and a disc has none.
+    // On a plane and two holes no side of the part touches anything, and a disc has none but for jaws.
     let on_sides = matches!(locating, PartLocating::ThreePlanes | PartLocating::TwoPlanesAndHole);
-    let error = if on_sides { locating_error(held, shop)? } else { None };
+    let error = if on_sides || held == HeldBy::Chuck { locating_error(held, shop)? } else { None };
     because.extend(error.iter().map(|row| Because::row(row.row, Note::new("locating-error").with("most", row.most))));
     let of_sides = error.map(|row| [row.least, row.most]);
     // Along X and Y it may be a side or a pin that errs more.
@@ -99,6 +101,7 @@ pub(super) fn locating_error<'k>(held: HeldBy, shop: &Shop<'k>) -> Result<Option
     let wanted = match held {
         HeldBy::Straps => SettingErrorOf::Straps,
         HeldBy::Vice => SettingErrorOf::Vice,
+        HeldBy::Chuck => SettingErrorOf::Chuck,
         HeldBy::Own | HeldBy::Nothing => return Ok(None),
     };
     shop.knowledge.need(wanted.name(), |row: &SettingError<'_>| row.name.is(wanted)).map(Some)

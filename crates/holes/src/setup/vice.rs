@@ -18,10 +18,6 @@ use super::{Load, constant, loads_of};
 /// # Errors
 /// The knowledge base has no answer.
 pub fn vice(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Result<Vice, Note>, KnowledgeError> {
-    // Between two flat jaws a disc rolls: it needs prisms or a chuck.
-    if part.blank.is_round() {
-        return Ok(Err(Note::new("vice-not-round").with("diameter", part.blank.length)));
-    }
     let rows: Vec<MachineVice<'_>> = shop.knowledge.rows()?;
     let parallels: Vec<Parallels<'_>> = shop.knowledge.rows()?;
     let limits = Limits::read(shop)?;
@@ -45,24 +41,24 @@ pub fn vice(part: &Part, holes: &[HolePlan], shop: &Shop<'_>) -> Result<Result<V
 }
 
 /// How far a tool comes out of a group of holes below the part.
-fn comes_out(part: &Part, plan: &HolePlan) -> Micrometres {
+pub(super) fn comes_out(part: &Part, plan: &HolePlan) -> Micrometres {
     let ends = plan.transitions.iter().filter(|one| !one.elsewhere).map(|transition| transition.end());
     (ends.max().unwrap_or_default() - part.blank.thickness).max(Micrometres::ZERO)
 }
 
 /// The constants of the table `clamping` that a vice is held by.
-struct Limits {
-    safety: f64,
-    friction: f64,
-    grip: Micrometres,
+pub(super) struct Limits {
+    pub safety: f64,
+    pub friction: f64,
+    pub grip: Micrometres,
     grip_share: f64,
-    below_face: Micrometres,
-    room_below: Micrometres,
+    pub below_face: Micrometres,
+    pub room_below: Micrometres,
     because: Vec<Because>,
 }
 
 impl Limits {
-    fn read(shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
+    pub(super) fn read(shop: &Shop<'_>) -> Result<Self, KnowledgeError> {
         let mut because = Vec::new();
         let mut read = |wanted| -> Result<f64, KnowledgeError> {
             let (value, why) = constant(wanted, shop)?;
@@ -80,6 +76,11 @@ impl Limits {
         .map(Micrometres::from_mm_rounded);
         let grip_share = read(ClampingConstant::ViceGripShare)?;
         Ok(Self { safety, friction, grip, grip_share, below_face, room_below, because })
+    }
+
+    /// Why a chuck is held to them: a share of the height, read last, is not asked of one.
+    pub(super) fn of_chuck(&self) -> impl Iterator<Item = &Because> {
+        self.because.iter().take(self.because.len().saturating_sub(1))
     }
 }
 

@@ -2,7 +2,7 @@
 //! of the part while the quill is retracted. Set-up by set-up.
 
 use crate::machine::Machine;
-use crate::plan::{Plan, Stand};
+use crate::plan::{Held, Plan, Stand};
 use crate::tables::machines::MachineQuantity;
 use crate::units::Micrometres;
 
@@ -45,7 +45,21 @@ pub(super) fn drawing(plan: &Plan, stand: &Stand, machine: &Machine<'_>, lang: L
     let mut canvas = Canvas::default();
     let (edge, side) = (at(-half, 0.0), at(half, 0.0));
     canvas.rectangle(edge, (side.0, floor + TABLE), "#e6e6e6", Some(INK));
-    if plan.setup.vice.is_some() {
+    if let Some(chuck) = &plan.setup.chuck {
+        // Its body, two jaws beside the part as they would stand if they stood along X, and what the part lies on.
+        let (axis, body) = ((left + right) / 2.0, low - chuck.room_mm.to_mm());
+        let [half, from, jaw] =
+            [chuck.diameter_mm.half(), chuck.jaws_from_mm, part.blank.thickness - chuck.below_face_mm]
+                .map(Micrometres::to_mm);
+        canvas.rectangle(at(axis - half, 0.0), at(axis + half, body), "#f0e6dc", Some(INK));
+        for (inner, outer) in [(-from, left - axis), (from, right - axis)] {
+            let end = if inner < outer { outer.max(half) } else { outer.min(-half) };
+            for (x, top) in [(inner, low), (outer, low + jaw)] {
+                let (a, b) = if x < end { (x, end) } else { (end, x) };
+                canvas.rectangle(at(axis + a, body), at(axis + b, top), "#f0e6dc", Some(INK));
+            }
+        }
+    } else if plan.setup.vice.is_some() {
         // Its jaws are not drawn: the plan knows how high it holds the part, not how they look.
         canvas.rectangle(at(left, 0.0), at(right, low), "#f0e6dc", Some(INK));
     } else if low > 0.0 {
@@ -76,9 +90,10 @@ pub(super) fn drawing(plan: &Plan, stand: &Stand, machine: &Machine<'_>, lang: L
         (tip.to_mm(), nose.to_mm(), say!(lang, "lab-zone-tool", length = tool.length_mm)),
         (top, tip.to_mm(), say!(lang, "lab-zone-gap", height = gap)),
         (low, top, say!(lang, "lab-zone-part", height = part.blank.thickness)),
-        match plan.setup.vice {
-            Some(_) => (0.0, low, say!(lang, "lab-zone-vice", height = stand.height_mm)),
-            None => (0.0, low, say!(lang, "lab-zone-supports", height = stand.height_mm)),
+        match plan.held(stand.set_up) {
+            Held::Vice(_) => (0.0, low, say!(lang, "lab-zone-vice", height = stand.height_mm)),
+            Held::Chuck(_) => (0.0, low, say!(lang, "lab-zone-chuck", height = stand.height_mm)),
+            _ => (0.0, low, say!(lang, "lab-zone-supports", height = stand.height_mm)),
         },
     ];
     figures(&mut canvas, &heights, side.0, &|z| at(0.0, z).1, axis);

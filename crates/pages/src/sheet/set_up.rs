@@ -5,8 +5,8 @@ use crate::document::Document;
 use crate::note::{Figure, Note};
 use crate::part::{Along, Face, Part};
 use crate::plan::{
-    BarSetting, Clamping, FixtureKind, FixturePlan, Held, HeldBy, OtherZero, OwnFixture, PartLocating, Plan, Stand,
-    Touched, Vice,
+    BarSetting, Chuck, Clamping, FixtureKind, FixturePlan, Held, HeldBy, OtherZero, OwnFixture, PartLocating, Plan,
+    Stand, Touched, Vice,
 };
 use crate::units::Micrometres;
 
@@ -20,6 +20,7 @@ pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     for stand in &plan.setup.stands {
         match plan.held(stand.set_up) {
             Held::Vice(vice) => steps.push(in_vice(vice, stand, plan, lang)),
+            Held::Chuck(chuck) => steps.push(in_chuck(chuck, stand, plan, lang)),
             held => steps.extend(on_table(held, stand, plan, lang)),
         }
         steps.extend(place(stand, plan, lang));
@@ -76,10 +77,10 @@ fn on_table(held: Held<'_>, stand: &Stand, plan: &Plan, lang: Lang) -> Vec<Strin
             [Some(clamps(clamping, &plan.part, lang)), turned].into_iter().flatten().collect::<Vec<_>>().join(" ")
         }
         Held::Own(own) => own_fixture(own, &plan.part, lang),
-        Held::Vice(_) | Held::Nothing if stand.face == Face::Back => {
+        Held::Vice(_) | Held::Chuck(_) | Held::Nothing if stand.face == Face::Back => {
             say!(lang, "setting-clamps-of-second", setup = stand.set_up).to_owned()
         }
-        Held::Vice(_) | Held::Nothing => lang.word("plan-no-clamping").to_owned(),
+        Held::Vice(_) | Held::Chuck(_) | Held::Nothing => lang.word("plan-no-clamping").to_owned(),
     };
     // What stands under a part by the file is not ours to place.
     let where_ = (key == "plan-supports-assumed").then(|| lang.word("plan-supports-where").to_owned());
@@ -193,6 +194,30 @@ pub(crate) fn in_vice(vice: &Vice, stand: &Stand, plan: &Plan, lang: Lang) -> St
     turned.into_iter().chain(said).collect::<Vec<_>>().join(" ")
 }
 
+/// The part in the chuck.
+pub(crate) fn in_chuck(chuck: &Chuck, stand: &Stand, plan: &Plan, lang: Lang) -> String {
+    let [first, second, third] = chuck.jaws(stand.face);
+    let held = Note::new("plan-chuck")
+        .with("setup", stand.set_up)
+        .with("chuck", format!("{}{}", chuck.designation, mark(&chuck.because)))
+        .with("first", first)
+        .with("second", second)
+        .with("third", third)
+        .with("step", chuck.step)
+        .with("height", stand.height_mm);
+    let grips = Note::new("plan-chuck-grips")
+        .with("grip", chuck.grip_mm)
+        .with("below", chuck.below_face_mm)
+        .with("room", chuck.room_mm)
+        .with("force", rounded(chuck.force_n.0, 0))
+        .with("surface", surface(&plan.part, &chuck.hole, lang))
+        .with("hole", Figure::called(&chuck.hole))
+        .with("gives", rounded(chuck.gives_n.0, 0));
+    let turned = turned_over(stand, plan, lang);
+    let said = [lang.say(&held), lang.say(&grips), lang.say(&lies(stand, &plan.part))];
+    turned.into_iter().chain(said).collect::<Vec<_>>().join(" ")
+}
+
 /// The force of the clamps, and where they press.
 fn clamps(clamping: &Clamping, part: &Part, lang: Lang) -> String {
     let note = match clamping.side_force_n {
@@ -247,6 +272,7 @@ pub(crate) fn once(stand: &Stand, plan: &Plan) -> Option<&'static str> {
     match plan.held(stand.set_up) {
         _ if plan.zero_pin(stand.set_up).is_some() => Some("plan-once-pins"),
         Held::Straps(_) if plan.part.blank.is_round() => Some("plan-once-axis"),
+        Held::Chuck(_) => Some("plan-once-chuck"),
         Held::Straps(_) | Held::Vice(_) => Some("plan-once"),
         Held::Own(_) | Held::Nothing => None,
     }

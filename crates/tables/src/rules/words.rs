@@ -189,6 +189,8 @@ vocabulary! {
         Straps = "straps",
         /// A vice.
         Vice = "vice",
+        /// A three-jaw chuck on the table.
+        Chuck = "chuck",
         /// Nothing that the tables have.
         Nothing = "nothing",
         /// A fixture of the shop's own, which the file names.

@@ -124,6 +124,7 @@ lab-zone-tool = L { $length }
 lab-zone-part = part { $height }
 lab-zone-supports = supports { $height }
 lab-zone-vice = vice { $height }
+lab-zone-chuck = chuck { $height }
 lab-zone-gap = to the part { $height }
 # Route card and operation card: the marks of their columns.
 card-change = Ch.

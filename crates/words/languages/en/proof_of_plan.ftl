@@ -32,7 +32,16 @@ slot-runs-out = it runs out of the blank: the mill goes up to { $beyond } mm bey
 no-vice-known = no vice is known
 vice-slot-over-jaw = { $vice }: slot { $slot }, { $depth } mm deep, runs out over a jaw that lies { $below } mm below the face
 vice-too-small = { $vice }: { $along } mm along jaws of { $jaws } mm, { $between } mm between jaws that open to { $opening } mm
-vice-not-round = a disc Ø{ $diameter } rolls between flat jaws: it needs jaws with prisms, or a chuck on the table
+no-chuck = nothing holds the part: no chuck of the table takes it: { $why }; name a fixture of your own under `fixture: {"{"}own: …{"}"}`, or give `clamps` that hold it
+no-chuck-known = no chuck is known
+chuck-of-no-size = the chucks of the table hold from Ø{ $least } to Ø{ $most }, and the part is Ø{ $diameter }
+chuck-not-that-high = { $chuck }, step { $step }: the part lies { $own } mm over the table, by the file { $height } mm: leave `height` out, or name a chuck of your own under `own`
+chuck-no-grip = { $chuck }, step { $step }: the jaws stand { $above } mm over what the part lies on, and must end { $below_face } mm below the face: a part { $thickness } mm thick is too thin for that
+chuck-slot-over-jaw = { $chuck }, step { $step }: slot { $slot }, { $depth } mm deep, runs out over jaws that lie { $below } mm below the face
+chuck-no-room-below = { $chuck }, step { $step }: a tool comes out { $below } mm below the part, and { $least } mm more must be free; the body is { $room } mm below the part
+chuck-jaws-below = { $chuck }, step { $step }: wherever its jaws, { $width } mm wide, are turned, a tool that comes out below the part meets one
+chuck-too-heavy = { $chuck } ({ $own } kg) with the part ({ $mass } kg) is heavier than the { $limit } kg that the table bears
+chuck-too-weak = { $chuck }, step { $step }: for { $hole } { $force } N are needed > { $gives } N that it gives
 ring-too-narrow = the ring is { $width } mm wide < { $least } mm of the foot of a strap
 vice-too-weak = { $vice }: { $force } N are needed > { $gives } N that it gives
 vice-no-grip = { $vice }: of a part { $thickness } mm thick the jaws of { $jaws } mm may grip { $most } mm at most, { $below_face } mm below its face, and must grip { $least } mm at least; parallels of { $parallels } mm or more under it (a tool comes out { $below } mm below) do not leave that
@@ -41,7 +50,7 @@ vice-parallels-in-the-way = { $vice }: { $beside } mm from a jaw to the nearest 
 straps-of-number = { $clamps } straps: { $why }
 no-place-for-clamps = none of the places that are tried for two, three, four or six straps on the face would hold the part: { $why }; give places under `clamps`, cut lighter, or take a vice or a fixture of your own and name it under `own`, to hold against M = { $torque } N·m
 holder-in-strap = T{ $tool }: what is above the cutter, Ø{ $diameter }, comes down to { $low } mm over the face at { $at }, beside a strap that stands { $height } mm over it
-straps-in-the-way = straps at the places that are tried keep the job from running: { $why }; those proposed first stand { $height } mm over the face with their nuts, and neither lower ones nor a vice of the table help: hold the part by a fixture that stands no higher than { $most } mm over the face and give it in the file, as `own`, `clamps` with a height or `obstacles`; this plan has no clamps
+straps-in-the-way = straps at the places that are tried keep the job from running: { $why }; those proposed first stand { $height } mm over the face with their nuts, and neither lower ones nor a vice or a chuck of the tables help: hold the part by a fixture that stands no higher than { $most } mm over the face and give it in the file, as `own`, `clamps` with a height or `obstacles`; this plan has no clamps
 in-second-set-up = in set-up 2: { $why }
 # Chains of dimensions. $from (side or name), $term (chain-term)
 chain-ordinarily = along { $axis } from { $from } the chain closes statistically only: { $sum } = { $worst } mm > { $tolerance } mm at worst, { $likely } mm as a root of squares; the most costs { $term }, { $most } mm: measure the first parts

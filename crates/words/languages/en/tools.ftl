@@ -63,6 +63,7 @@ vice-below-face = the jaws end { $value } mm or more below the face
 vice-room-below = below a tool that comes out there are { $value } mm or more
 vice-holds = { $along } mm along jaws of { $jaws } mm, { $between } mm between them, opening { $opening } mm
 vice-parallels = parallels of { $height } mm: a tool comes out { $below } mm below the part
+chuck-holds = Ø{ $diameter } on step { $step }, which holds from Ø{ $least } to Ø{ $most }
 fixture-kind = the kind of fixture (textbook 1.6)
 fixture-keying = how the fixture is keyed to the table (textbook 1.7)
 part-locating = how the part is located (textbook 1.9)

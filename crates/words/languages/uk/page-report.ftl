@@ -124,6 +124,7 @@ lab-zone-tool = L{"к"} { $length }
 lab-zone-part = деталь { $height }
 lab-zone-supports = опори { $height }
 lab-zone-vice = лещата { $height }
+lab-zone-chuck = патрон { $height }
 lab-zone-gap = до деталі { $height }
 # Route card and operation card: the marks of their columns.
 card-change = Зм.

@@ -63,6 +63,7 @@ vice-below-face = губки кінчаються щонайменше на { $v
 vice-room-below = під інструментом, що виходить, щонайменше { $value } мм
 vice-holds = { $along } мм уздовж губок { $jaws } мм, { $between } мм між ними, розхил { $opening } мм
 vice-parallels = підкладки { $height } мм: інструмент виходить на { $below } мм нижче від деталі
+chuck-holds = Ø{ $diameter } на сходинці { $step }, яка тримає від Ø{ $least } до Ø{ $most }
 fixture-kind = вид пристосування (посібник 1.6)
 fixture-keying = ув’язка пристосування на столі (посібник 1.7)
 part-locating = базування деталі (посібник 1.9)
