@@ -75,6 +75,14 @@ vocabulary! {
         TapBesideHole = "tap-beside-hole",
         /// How many times the depth of the others of its tool a depth may be.
         DepthBesideMost = "depth-beside-most",
+        /// The greatest feed of a drill for a turn, as a part of its diameter.
+        DrillFeedMost = "drill-feed-most",
+        /// How many pitches the hole of a thread is narrower than it at most.
+        TapHoleLeast = "tap-hole-least",
+        /// How many pitches the hole of a thread is narrower than it at least.
+        TapHoleMost = "tap-hole-most",
+        /// How far a boring bar is drawn off the wall at most, mm.
+        BoringShiftMost = "boring-shift-most",
         /// How far below a through hole a reamer goes at most over free room, mm.
         ReamerOverrunMost = "reamer-overrun-most",
         /// The greatest feed of a turn, mm.
@@ -103,6 +111,7 @@ impl Convention {
             | Self::KneeStep
             | Self::PeckMost
             | Self::ReamerOverrunMost
+            | Self::BoringShiftMost
             | Self::TapBesideHole
             | Self::FeedOfTurnMost
             | Self::CutsAround => "mm",
@@ -116,6 +125,9 @@ impl Convention {
             | Self::DwellTurnsLeast
             | Self::TapFeedNear
             | Self::TapBeyondDrill
+            | Self::DrillFeedMost
+            | Self::TapHoleLeast
+            | Self::TapHoleMost
             | Self::DepthBesideMost
             | Self::FeedBesideMost => "1",
         }

@@ -12,7 +12,7 @@ use crate::knowledge::Knowledge;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Turning};
 use crate::note::Note;
 use crate::program::Setting;
-use crate::program::named::Names;
+use crate::program::named::{KindWord, Names};
 use crate::tables::audit::{ProgramWords, ToolKind};
 use crate::tables::controls::Convention;
 use crate::tables::standards::CoarseThread;
@@ -40,6 +40,16 @@ pub(super) struct Habits {
     pub of_taps: Vec<String>,
     /// The words of comments that name a tool of edges.
     pub of_edges: Vec<String>,
+    /// The words of comments that name a kind of tool.
+    pub of_kinds: Vec<KindWord>,
+    /// The greatest feed of a drill for a turn, as a part of its diameter.
+    pub drill_feed: f64,
+    /// How many pitches the hole of a thread is narrower than it: at least, at most.
+    pub tap_hole: (f64, f64),
+    /// How far beyond its hole a reamer may come out of a through one, mm.
+    pub reamer_beyond: f64,
+    /// How far a boring bar is drawn off the wall at most, mm.
+    pub shift: f64,
     /// How many pitches a tap may come out of a through hole farther than the drill before it.
     pub tap_beyond: f64,
     /// How far from its hole a tap is beside it, mm.
@@ -56,6 +66,8 @@ pub(super) struct Habits {
     pub cuts_around: f64,
     /// Whether a tool from the magazine needs a length offset even where it is the only one.
     by_offset: bool,
+    /// Whether tools are changed at a stop, by hand.
+    by_hand: bool,
     /// The feed and the speed that act, as parts of those written: by the operator's switches.
     overrides: (f64, f64),
 }
@@ -77,6 +89,11 @@ impl Habits {
             coarse: knowledge.rows::<CoarseThread<'_>>()?.into_iter().filter_map(|row| size(&row)).collect(),
             of_taps: words_of(knowledge, &[ToolKind::Tap])?,
             of_edges: words_of(knowledge, &[ToolKind::Chamfer, ToolKind::Countersink, ToolKind::Centring])?,
+            of_kinds: kinds(knowledge)?,
+            drill_feed: figure(Convention::DrillFeedMost)?,
+            tap_hole: (figure(Convention::TapHoleMost)?, figure(Convention::TapHoleLeast)?),
+            shift: figure(Convention::BoringShiftMost)?,
+            reamer_beyond: figure(Convention::ReamerOverrunMost)?,
             tap_beyond: figure(Convention::TapBeyondDrill)?,
             tap_beside: figure(Convention::TapBesideHole)?,
             depth_beside: figure(Convention::DepthBesideMost)?,
@@ -85,6 +102,7 @@ impl Habits {
             feed_beside: figure(Convention::FeedBesideMost)?,
             cuts_around: figure(Convention::CutsAround)?,
             by_offset: false,
+            by_hand: false,
             overrides: (1.0, 1.0),
         })
     }
@@ -93,6 +111,13 @@ impl Habits {
     #[must_use]
     pub fn with_lengths(mut self, by_offset: bool) -> Self {
         self.by_offset = by_offset;
+        self
+    }
+
+    /// Those of a control without a function for the tool change: it is made at a stop, by hand.
+    #[must_use]
+    pub fn with_changes(mut self, by_hand: bool) -> Self {
+        self.by_hand = by_hand;
         self
     }
 
@@ -107,6 +132,12 @@ impl Habits {
     pub fn peck_most(&self) -> i64 {
         libm::round(self.peck_mm * 1e6) as i64
     }
+}
+
+/// The words of comments that name a kind of tool, in their order.
+fn kinds(knowledge: &Knowledge) -> Result<Vec<KindWord>, KnowledgeError> {
+    let rows = knowledge.rows::<ProgramWords<'_>>()?.into_iter();
+    Ok(rows.filter_map(|row| Some((row.word.to_owned(), row.kind?))).collect())
 }
 
 /// The words of comments that name tools of these kinds.
@@ -232,7 +263,7 @@ impl Watch {
                 self.fed(None);
                 self.tool = *tool;
                 self.section += 1;
-                (self.own, self.stopped) = (false, false);
+                (self.own, self.stopped) = (false, self.habits.by_hand);
             }
             Motion::LengthCorrection { axis: Axis::Z, corrector, value } => {
                 self.offset = (*corrector, *value);

@@ -4,6 +4,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::drilled::Holes;
+use super::named::Names;
+use super::walls::Walls;
+use super::widths;
 use crate::motion::{BlockRef, Motion, MotionStep, Plane, Position, Sense};
 use crate::note::Note;
 use crate::units::{Micrometres, round_to};
@@ -14,6 +17,8 @@ pub(super) const BELOW: f64 = 0.2;
 const NEAR: f64 = 0.05;
 /// The most points of a way that are held against one another.
 const MOST: usize = 1000;
+/// The most stretches of milling that are looked through for every rapid.
+const MOST_MILLED: usize = 2000;
 
 type Point = [f64; 2];
 
@@ -23,6 +28,8 @@ struct Room {
     low: Point,
     high: Point,
     bottom: f64,
+    /// How far around its way the tool has cut at most, mm.
+    reach: f64,
 }
 
 impl Room {
@@ -85,6 +92,14 @@ pub(super) struct Measure {
     pub threads: BTreeMap<u32, Vec<f64>>,
     /// Tools that break edges, which are there before.
     pub of_edges: BTreeSet<u32>,
+    /// The greatest feed of a drill for a turn, as a part of its diameter.
+    pub drill_feed: f64,
+    /// How many pitches the hole of a thread is narrower than it: at least, at most.
+    pub tap_hole: (f64, f64),
+    /// How far beyond its hole a reamer may come out of a through one, mm.
+    pub reamer_beyond: f64,
+    /// What comments say of the tools.
+    pub names: Names,
 }
 
 /// Watches what a program does below its zero.
@@ -92,7 +107,10 @@ pub(super) struct Measure {
 pub(super) struct Below {
     measure: Measure,
     holes: Holes,
+    walls: Walls,
     rooms: Vec<Room>,
+    /// Those of them that were milled.
+    milled: Vec<Room>,
     /// The stretch in progress.
     room: Option<Room>,
     entry: Option<Entry>,
@@ -120,6 +138,18 @@ impl Below {
             let untouched = here.peek().is_none();
             (here.any(Room::is_milled), untouched)
         });
+        let radius = self.measure.names.radius(tool);
+        let milled = &self.milled;
+        let opened = |at: Point, z: f64| {
+            milled.iter().chain(&self.room).any(|room| room.is_milled() && room.has(at, z, room.reach))
+        };
+        // Of a program of so many cuts nothing is said of its walls.
+        if milled.len() < MOST_MILLED {
+            self.walls.takes(step, [begin, at], (before, z), (seen, radius), opened);
+        }
+        if step.motion == Motion::Rapid && !in_cycle && z < before {
+            widths::comes_down(&self.holes, step, z, seen, &self.measure, &mut self.told);
+        }
         match &step.motion {
             // It may go on below to where it cuts.
             Motion::Rapid if z < -BELOW && self.entry.as_ref().is_some_and(|entry| entry.way.len() < 2) => {
@@ -134,7 +164,7 @@ impl Below {
             Motion::Feed { feed_mm_per_min } if z < 0.0 => {
                 // A cycle says itself from where it cuts.
                 self.entry = self.entry.take().filter(|entry| !in_cycle || entry.way.len() > 1);
-                self.cuts([begin, at].into_iter(), z);
+                self.cuts([begin, at].into_iter(), z, radius);
                 self.feeds_at(feed_mm_per_min.0, step.block, begin == at, (before, z), tool);
             }
             // A small arc is honestly fed much slower than a line: its outside is the wall.
@@ -143,7 +173,7 @@ impl Below {
                 if let Some(entry) = &mut self.entry {
                     entry.circle |= begin == at;
                 }
-                self.cuts(points, z);
+                self.cuts(points, z, radius);
             }
             Motion::Feed { .. } | Motion::Arc { .. } => self.goes_up(tool, true),
             Motion::ToolChange { .. } | Motion::End => self.goes_up(tool, false),
@@ -154,7 +184,9 @@ impl Below {
     /// The tool leaves what it was cutting. Where it cut nothing at all it is told only when it is one that was called, and comes up
     /// again.
     fn goes_up(&mut self, tool: u32, is_up: bool) {
-        self.rooms.extend(self.room.take());
+        let room = self.room.take();
+        self.milled.extend(room.filter(Room::is_milled));
+        self.rooms.extend(room);
         if let Some((feed, block)) = self.down.take() {
             self.feed_of((tool, true), feed, block);
         }
@@ -168,9 +200,10 @@ impl Below {
         }
     }
 
-    fn cuts(&mut self, points: impl Iterator<Item = Point>, z: f64) {
+    fn cuts(&mut self, points: impl Iterator<Item = Point>, z: f64, radius: Option<f64>) {
+        let reach = radius.unwrap_or(self.measure.around);
         for point in points {
-            let room = self.room.get_or_insert(Room { low: point, high: point, bottom: z });
+            let room = self.room.get_or_insert(Room { low: point, high: point, bottom: z, reach });
             for ((low, high), along) in room.low.iter_mut().zip(&mut room.high).zip(point) {
                 *low = low.min(along);
                 *high = high.max(along);
@@ -200,10 +233,15 @@ impl Below {
     /// What is told of the run.
     pub fn finish(mut self) -> Vec<ToldBelow> {
         let milled = |at: Point, z: f64| self.rooms.iter().any(|room| room.is_milled() && room.has(at, z, BELOW));
-        let of_holes = self.holes.finish(milled, &self.measure);
+        let mut of_holes = self.holes.finish(milled, &self.measure);
+        of_holes.extend(std::mem::take(&mut self.walls).finish());
         // What is certain needs no doubt.
-        let certain = |block: BlockRef| of_holes.iter().any(|(it, code, _)| *it == block && *code == "begins-in-metal");
+        let certain = |block: BlockRef| {
+            let known = of_holes.iter().filter(|(it, ..)| *it == block);
+            known.into_iter().any(|(_, code, _)| ["begins-in-metal", "rapid-into-floor"].contains(code))
+        };
         self.told.retain(|(block, code, _)| *code != "rapid-below-zero" || !certain(*block));
+        of_holes.retain(|(_, code, note)| !self.told.iter().any(|(_, known, other)| known == code && other == note));
         self.told.extend(of_holes);
         for ((tool, _), feeds) in &self.feeds {
             for (index, (feed, block)) in feeds.iter().enumerate() {

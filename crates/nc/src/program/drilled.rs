@@ -15,47 +15,49 @@ const MOST: usize = 20_000;
 const MOST_TOLD: usize = 100;
 
 /// A place: the system, and X and Y in hundredths.
-type Place = (u8, i64, i64);
+pub(super) type Place = (u8, i64, i64);
 
-fn place(system: u8, at: Position) -> Place {
+pub(super) fn place(system: u8, at: Position) -> Place {
     let [x, y] = [at.x, at.y].map(|along| along.micrometres().div_euclid(10));
     (system, x, y)
 }
 
 /// A way straight down at feed, in one or several steps.
 #[derive(Clone, Copy, Debug)]
-struct Hole {
-    place: Place,
+pub(super) struct Hole {
+    pub place: Place,
     /// The number of the tool change before it: a tool may come into the place of another.
-    section: usize,
-    tool: u32,
+    pub section: usize,
+    pub tool: u32,
     /// Where the first feed began and the last ended, over the zero, mm.
-    begin: f64,
-    bottom: f64,
+    pub begin: f64,
+    pub bottom: f64,
     /// Whether the program had milled there before, down to where the feed began; and whether it had cut nothing near it.
-    milled: bool,
+    pub milled: bool,
     untouched: bool,
     /// Whether a cycle made it.
     in_cycle: bool,
     /// Feed for a turn of a tap, mm.
-    pitch: Option<f64>,
+    pub pitch: Option<f64>,
     /// Feed for a turn on its way down, mm.
-    per_turn: f64,
+    pub per_turn: f64,
     /// Whether a cycle pulled it out of its bottom at rapid: no tap bears that.
     out_at_rapid: bool,
-    /// Whether the tap came down there once more, with no move to another place between.
+    /// Whether it was made there once more, from its beginning to the same depth, with no move to another place between.
     again: bool,
     /// How often the program had stopped: another part may have come.
-    stops: usize,
+    pub stops: usize,
     /// Whether the tool went on sideways at feed.
-    mills: bool,
-    block: BlockRef,
+    pub mills: bool,
+    pub block: BlockRef,
 }
 
 /// The holes of a program.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Holes {
-    holes: Vec<Hole>,
+    pub holes: Vec<Hole>,
+    /// The numbers of the holes of each place.
+    at: BTreeMap<Place, Vec<usize>>,
     /// Whether the last one goes on.
     open: bool,
     section: usize,
@@ -122,6 +124,16 @@ impl Holes {
         }
     }
 
+    /// The holes of a place so far.
+    pub fn of(&self, place: Place) -> impl Iterator<Item = &Hole> + '_ {
+        self.at.get(&place).into_iter().flatten().filter_map(|at| self.holes.get(*at))
+    }
+
+    /// The number of the tool change before the next hole.
+    pub const fn section(&self) -> usize {
+        self.section
+    }
+
     fn last(&mut self) -> Option<&mut Hole> {
         let open = self.open;
         self.holes.last_mut().filter(|_| open)
@@ -139,7 +151,7 @@ impl Holes {
         if let Some(hole) = self.last() {
             // From the beginning to the same depth once more: a step of a deep thread goes deeper.
             let whole = begin >= hole.begin - SAME && (bottom - hole.bottom).abs() <= SAME;
-            hole.again |= hole.pitch.is_some() && whole && hole.stops == stops;
+            hole.again |= (hole.pitch.is_some() || in_cycle) && whole && hole.stops == stops;
             hole.bottom = hole.bottom.min(bottom);
             return;
         }
@@ -147,6 +159,7 @@ impl Holes {
             return;
         }
         let (milled, untouched) = if begin < -BELOW { room(begin) } else { (true, false) };
+        self.at.entry(place).or_default().push(self.holes.len());
         self.holes.push(Hole {
             place,
             section: self.section,
@@ -169,11 +182,7 @@ impl Holes {
 
     /// What is told of them; `milled` says whether the program has milled a place down to a height.
     pub fn finish(&self, milled: impl Fn([f64; 2], f64) -> bool, measure: &Measure) -> Vec<ToldBelow> {
-        let mut at: BTreeMap<Place, Vec<usize>> = BTreeMap::new();
-        for (index, hole) in self.holes.iter().enumerate() {
-            at.entry(hole.place).or_default().push(index);
-        }
-        let mut review = Review { all: self, at, milled, measure, told: Vec::new() };
+        let mut review = Review { all: self, milled, measure, told: Vec::new() };
         let level = |hole: &Hole, begin: f64| (hole.section, hole.place.0, hundredths(begin), hundredths(hole.bottom));
         let levels: BTreeSet<_> = self.holes.iter().map(|hole| level(hole, hole.begin)).collect();
         let taps = self.holes.iter().enumerate().filter(|(_, hole)| hole.pitch.is_some());
@@ -185,9 +194,15 @@ impl Holes {
             }
             match hole.pitch.filter(|pitch| pitch.is_finite()) {
                 Some(pitch) => review.tap(index, hole, pitch, drilled.contains(&hole.section)),
-                None if hole.pitch.is_none() => review.out_of_cycle(hole),
+                None if hole.pitch.is_none() => {
+                    review.out_of_cycle(hole);
+                    if hole.again {
+                        review.tell(hole, "hole-again", |note| note.with("z", round_to(hole.bottom, 3)));
+                    }
+                }
                 None => {}
             }
+            review.widths(index, hole);
         }
         for (hole, other) in self.tenfold(measure.depth_beside) {
             review.tell(hole, "depth-tenfold", |note| {
@@ -230,26 +245,30 @@ impl Holes {
 }
 
 /// The holes gone through at the end, each beside those before it.
-struct Review<'a, M> {
+pub(super) struct Review<'a, M> {
     all: &'a Holes,
-    /// The numbers of the holes of each place.
-    at: BTreeMap<Place, Vec<usize>>,
     milled: M,
-    measure: &'a Measure,
+    pub measure: &'a Measure,
     told: Vec<ToldBelow>,
 }
 
 impl<'a, M: Fn([f64; 2], f64) -> bool> Review<'a, M> {
     /// Tells it once, with its figures.
-    fn tell(&mut self, hole: &Hole, code: &'static str, figures: impl FnOnce(Note) -> Note) {
+    pub fn tell(&mut self, hole: &Hole, code: &'static str, figures: impl FnOnce(Note) -> Note) {
         let note = figures(Note::new(code).with("tool", hole.tool));
         if self.told.len() < MOST_TOLD && !self.told.iter().any(|(_, known, other)| *known == code && *other == note) {
             self.told.push((hole.block, code, note));
         }
     }
 
-    fn earlier(&self, index: usize, hole: &Hole) -> impl Iterator<Item = &'a Hole> + '_ {
-        let there = self.at.get(&hole.place).into_iter().flatten().take_while(move |other| **other < index);
+    /// The holes made there later.
+    pub fn later(&self, index: usize, hole: &Hole) -> impl Iterator<Item = &'a Hole> + '_ {
+        let there = self.all.at.get(&hole.place).into_iter().flatten().filter(move |other| **other > index);
+        there.filter_map(|other| self.all.holes.get(*other))
+    }
+
+    pub fn earlier(&self, index: usize, hole: &Hole) -> impl Iterator<Item = &'a Hole> + '_ {
+        let there = self.all.at.get(&hole.place).into_iter().flatten().take_while(move |other| **other < index);
         there.filter_map(|other| self.all.holes.get(*other))
     }
 
@@ -259,7 +278,7 @@ impl<'a, M: Fn([f64; 2], f64) -> bool> Review<'a, M> {
         others.map(|other| other.bottom).reduce(f64::min)
     }
 
-    fn is_milled(&self, hole: &Hole) -> bool {
+    pub fn is_milled(&self, hole: &Hole) -> bool {
         let (_, x, y) = hole.place;
         (self.milled)([x, y].map(|along| along as f64 / 100.0), hole.bottom)
     }

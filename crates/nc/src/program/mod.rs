@@ -23,6 +23,8 @@ mod running;
 pub mod seen;
 pub mod setting;
 mod stay;
+mod walls;
+mod widths;
 pub mod written;
 
 use serde::Serialize;

@@ -5,13 +5,19 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use technolog_core::ascii::{ascii, says};
 
+use crate::tables::audit::ToolKind;
+
 /// What comments say of tools, by their numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Names {
     threads: BTreeMap<u32, Vec<Thread>>,
     diameters: BTreeMap<u32, Vec<f64>>,
     edges: BTreeSet<u32>,
+    kinds: BTreeMap<u32, BTreeSet<ToolKind>>,
 }
+
+/// A word of comments and the kind of tool that it names, the narrower before the wider.
+pub(super) type KindWord = (String, ToolKind);
 
 /// A thread that a comment names.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +26,8 @@ pub(super) struct Thread {
     pub name: String,
     /// Its pitch, mm; the coarse one where the comment gives none.
     pub pitch: f64,
+    /// Its diameter, mm, where it is a metric one.
+    pub diameter: Option<f64>,
 }
 
 /// A comment or the words of a line, in capitals.
@@ -27,8 +35,13 @@ type Line = (String, Vec<String>);
 
 impl Names {
     /// Reads the comments of a text; `coarse` has sizes and pitches of coarse threads, mm, `of_taps` the words of which one stands
-    /// beside the thread of a tap: M8 alone may be the coolant. `of_edges` has those of tools that break edges.
-    pub fn read(text: &str, coarse: &[(f64, f64)], of_taps: &[String], of_edges: &[String]) -> Self {
+    /// beside the thread of a tap: M8 alone may be the coolant. `of_edges` has those of tools that break edges, `of_kinds` those of all.
+    pub fn read(
+        text: &str,
+        coarse: &[(f64, f64)],
+        (of_taps, of_edges): (&[String], &[String]),
+        of_kinds: &[KindWord],
+    ) -> Self {
         let lines: Vec<Line> = text.lines().map(parts).collect();
         let mut names = Self::default();
         let (mut tool, mut wanted) = (0, 0);
@@ -54,9 +67,27 @@ impl Names {
                 if of_edges.iter().any(|word| says(&latin, word)) {
                     names.edges.insert(of);
                 }
+                if let Some((_, kind)) = of_kinds.iter().find(|(word, _)| says(&latin, word)) {
+                    names.kinds.entry(of).or_default().insert(*kind);
+                }
             }
         }
+        // There a comment gives inches.
+        if lines.iter().any(|(words, _)| number(words, 'G') == Some(20) || words.contains("G20")) {
+            names.diameters.clear();
+        }
         names
+    }
+
+    /// The kind of a tool, where its comments name one and no other.
+    pub fn kind(&self, tool: u32) -> Option<ToolKind> {
+        let kinds = self.kinds.get(&tool)?;
+        kinds.first().copied().filter(|_| kinds.len() == 1)
+    }
+
+    /// The diameter of a tool, mm, where its comments give one and no other.
+    pub fn diameter(&self, tool: u32) -> Option<f64> {
+        self.radius(tool).map(|radius| 2.0 * radius)
     }
 
     /// The threads that comments name for a tool.
@@ -156,7 +187,11 @@ fn inch(comment: &str, of_taps: &[String]) -> Option<Thread> {
         // `M8-10`, `T3-20` and `8-6H` are none.
         let letters = rest.starts_with(char::is_alphabetic) && !rest.starts_with("UN");
         let known = whole && !letters && !before.ends_with(|c: char| c.is_alphabetic() && before.len() == begin);
-        known.then(|| Thread { name: format!("{size}-{turns}"), pitch: crate::units::round_to(25.4 / turns, 4) })
+        known.then(|| Thread {
+            name: format!("{size}-{turns}"),
+            pitch: crate::units::round_to(25.4 / turns, 4),
+            diameter: None,
+        })
     })
 }
 
@@ -172,11 +207,11 @@ fn metric(comment: &str, coarse: &[(f64, f64)], of_taps: &[String]) -> Option<Th
     let latin = ascii(comment);
     let named = of_taps.iter().any(|word| says(&latin, word));
     match pitch {
-        Some(pitch) if pitch > 0.0 => Some(Thread { name: format!("M{size}x{pitch}"), pitch }),
+        Some(pitch) if pitch > 0.0 => Some(Thread { name: format!("M{size}x{pitch}"), pitch, diameter: Some(size) }),
         Some(_) => None,
         None => {
             let (_, pitch) = coarse.iter().find(|(known, _)| *known == size && named)?;
-            Some(Thread { name: format!("M{size}"), pitch: *pitch })
+            Some(Thread { name: format!("M{size}"), pitch: *pitch, diameter: Some(size) })
         }
     }
 }
@@ -226,7 +261,7 @@ mod tests {
     #[test]
     fn a_comment_is_about_the_tool_beside_it() {
         let text = "(T4 TAP M10)\n(TAP M8)\nT3 M6\nG84 Z-10 F1000\n(TAP M10)\nT4\nT4 M6 (D12)\n";
-        let names = Names::read(text, &[(8.0, 1.25), (10.0, 1.5)], &["TAP".to_owned()], &[]);
+        let names = Names::read(text, &[(8.0, 1.25), (10.0, 1.5)], (&["TAP".to_owned()], &[]), &[]);
         let pitches = |tool| names.threads(tool).iter().map(|thread| thread.pitch).collect::<Vec<_>>();
         assert_eq!((pitches(3), pitches(4)), (vec![1.25], vec![1.5, 1.5]));
         assert_eq!(names.radius(4), Some(6.0));

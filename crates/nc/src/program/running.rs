@@ -63,7 +63,8 @@ impl<'a, S: Sink> Running<'a, S> {
     /// At the beginning of a program.
     pub fn new(sink: &'a mut S, breach: NewFault, habits: Habits, text: &str, budget: usize) -> Self {
         let (reported, faults, calls, spans) = (BTreeSet::new(), Vec::new(), Vec::new(), Spans::new());
-        let names = Names::read(text, &habits.coarse, &habits.of_taps, &habits.of_edges);
+        let words = (habits.of_taps.as_slice(), habits.of_edges.as_slice());
+        let names = Names::read(text, &habits.coarse, words, &habits.of_kinds);
         let below = Below::new(Measure {
             around: habits.cuts_around,
             times: habits.feed_beside,
@@ -73,6 +74,10 @@ impl<'a, S: Sink> Running<'a, S> {
             tap_near: habits.tap_near,
             threads: names.pitches(),
             of_edges: names.of_edges(),
+            drill_feed: habits.drill_feed,
+            tap_hole: habits.tap_hole,
+            reamer_beyond: habits.reamer_beyond,
+            names: names.clone(),
         });
         let watch = Watch::new(habits, names.clone());
         let watched = Watched { names, contour: Contour::default(), below, radii: Vec::new() };

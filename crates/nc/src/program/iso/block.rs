@@ -238,6 +238,7 @@ impl Maker<'_> {
                         self.fault("ends-in-cut", function.span).of_program_alone = true;
                     }
                     self.radius_at_end(function.span);
+                    self.no_tap_came();
                     self.push(Motion::End);
                     after = After::End;
                 }
@@ -262,8 +263,13 @@ impl Maker<'_> {
             Action::KeepModes | Action::ForgetModes | Action::BringModes | Action::KeepForReturn => {
                 self.keep(action, function.span);
             }
-            // Where there is no M6, the operator changes the tool that T names at the stop.
-            Action::Stop if words.get('T').is_some() && !self.control.changes_tools() => self.change_by_hand(function),
+            // Where there is no M6, the operator changes the tool that T names at the stop, or has named before it.
+            Action::Stop
+                if !self.control.changes_tools()
+                    && (words.get('T').is_some() || self.state.wanted != self.state.tool) =>
+            {
+                self.change_by_hand(function);
+            }
             Action::Stop => self.stop(false, function.span),
             Action::OptionalStop if self.setting.optional_stop => self.stop(true, function.span),
             Action::ToolChange => self.tool_change(function),
@@ -287,7 +293,10 @@ impl Maker<'_> {
                     self.take(words, 'R');
                     self.state.turning = Turning::Stopped;
                 }
-                self.state.tap_prepared |= self.control.tap_preparation.map(i64::from) == Some(function.code);
+                if self.control.tap_preparation.map(i64::from) == Some(function.code) {
+                    self.state.tap_prepared = true;
+                    self.state.tap_expected = Some(function.span);
+                }
                 self.push(Motion::Auxiliary { word: format!("M{}", function.code) });
             }
             Action::OptionalStop | Action::End | Action::Return => {}
@@ -324,6 +333,7 @@ impl Maker<'_> {
             self.fault("no-tool", function.span);
         }
         self.radius_left_on(function.span);
+        self.no_tap_came();
         self.withdraws();
         let floating = self.state.floating[Axis::Z.index()];
         let low = self.state.stay.at_change(self.state.at.z, floating).filter(|_| !self.state.z_on_machine);

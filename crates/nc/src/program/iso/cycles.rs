@@ -22,7 +22,7 @@ use super::words::{BlockWords, Function, place};
 use crate::motion::{Axis, Motion, Position, Turning};
 use crate::note::IntoFigure;
 use crate::program::TextSpan;
-use crate::units::Micrometres;
+use crate::units::{Micrometres, round_to};
 
 /// The levels of a cycle along Z, machine coordinates.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +42,13 @@ impl Maker<'_> {
         self.forget();
     }
 
+    /// M29 was given, and no tapping cycle has come.
+    pub(super) fn no_tap_came(&mut self) {
+        if let Some(span) = self.state.tap_expected.take() {
+            self.fault("rigid-without-tap", span);
+        }
+    }
+
     fn forget(&mut self) {
         let kept = self.state.parameters[place('P')].filter(|_| self.control.is(Q::CycleBeginsAnew));
         self.state.parameters = [None; 26];
@@ -52,6 +59,11 @@ impl Maker<'_> {
     pub(super) fn cycle(&mut self, code: i64, given: Option<Function>, words: &BlockWords) {
         let Some(cycle) = self.control.cycles.get(&code).cloned() else { return };
         let span = given.map_or(self.span, |function| function.span);
+        if cycle.bottom == Bottom::Reversed {
+            self.state.tap_expected = None;
+        } else {
+            self.no_tap_came();
+        }
         if self.control.is(Q::CycleBeginsAnew) && self.state.mode(Group::Cycle) != Some(code) {
             self.forget();
             if cycle.required.contains(&'P') {
@@ -295,8 +307,16 @@ impl Maker<'_> {
     /// The edge of a bar is drawn off the wall before the way out, by Q in a direction that is set in the control, or by I
     /// and J; these ways of a few tenths and back are not traced. Without any the edge goes out along the wall.
     fn drawn_off(&mut self, span: TextSpan) {
-        let by = ['Q', 'I', 'J'].into_iter().find(|address| self.parameter(*address).is_some_and(|way| way != 0));
-        self.fault(if by.is_some() { "shift-not-traced" } else { "shift-missing" }, span);
+        let by = ['Q', 'I', 'J'].into_iter().filter_map(|address| self.parameter(address)).find(|way| *way != 0);
+        let Some(way) = by.map(|way| Micrometres::new(way).to_mm().abs()) else {
+            self.fault("shift-missing", span);
+            return;
+        };
+        if way > self.control.habits.shift {
+            self.report("shift-too-large", span, &[("shift", round_to(way, 3).into_figure())]);
+        } else {
+            self.fault("shift-not-traced", span);
+        }
     }
 
     /// The travel to the bottom in steps of Q, without the last one.

@@ -40,6 +40,7 @@ pub fn check_within<S: Sink>(
         // The run would tell it of the blocks it comes to.
         faults.extend(words.iter().flat_map(|words| words.told.iter().cloned()));
     } else {
+        let habits = control.habits.clone().with_changes(!control.changes_tools());
         let mut run = ProgramRun {
             blocks: &blocks,
             words: &words,
@@ -51,7 +52,7 @@ pub fn check_within<S: Sink>(
             state: ControlState::power_on(control, setting),
             values: Values::new(control),
             broke: false,
-            running: Running::new(sink, fault, control.habits.clone().under(setting), text, budget),
+            running: Running::new(sink, fault, habits.under(setting), text, budget),
         };
         run.main();
         let first = blocks.first().map(|block| block.span).unwrap_or_default();

@@ -8,6 +8,7 @@ use super::kept::Kept;
 use super::zeros::SYSTEMS;
 use crate::motion::{Axis, Plane, Position, Turning};
 use crate::program::Setting;
+use crate::program::TextSpan;
 use crate::program::brought::Registers;
 use crate::program::limits::Floating;
 use crate::program::setting::Before;
@@ -62,6 +63,8 @@ pub(super) struct ControlState {
     pub passes: bool,
     /// Whether the M function before a tapping cycle acts.
     pub tap_prepared: bool,
+    /// Where it stands, until a tapping cycle comes.
+    pub tap_expected: Option<TextSpan>,
     /// F, mm/min.
     pub feed: f64,
     /// S, 1/min.
@@ -125,6 +128,7 @@ impl ControlState {
             radius_register: None,
             passes: false,
             tap_prepared: false,
+            tap_expected: None,
             feed: 0.0,
             speed: 0.0,
             feed_user: User::Nobody,
