@@ -62,11 +62,11 @@ fn text(path: &str) -> String {
     std::fs::read_to_string(root().join(path)).unwrap_or_else(|why| panic!("{path}: {why}"))
 }
 
-/// What stands in both files of a form, `plans.yaml` and the second set, `blind-plans.yaml`.
+/// What stands in the files of a form: `plans.yaml`, the second set, `blind-plans.yaml`, and the third.
 fn planted(file: &str) -> Vec<Planted> {
     let of =
         |file: &str| -> Vec<Planted> { serde_yaml::from_str(&text(&format!("tests/audit-mistakes/{file}"))).unwrap() };
-    of(file).into_iter().chain(of(&format!("blind-{file}"))).collect()
+    ["", "blind-", "third-"].iter().flat_map(|set| of(&format!("{set}{file}"))).collect()
 }
 
 impl Planted {
