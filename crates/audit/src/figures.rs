@@ -5,7 +5,7 @@ use crate::note::{Note, Severity};
 
 use super::context::Context;
 use super::finding::{AuditFinding, Change, FindingKind, Shown};
-use super::graph::{Graph, Status, Verdict};
+use super::graph::{Graph, MOST_MIXTURES, Status, Verdict};
 use super::mistakes;
 use super::quantity::{Id, Quantity};
 use super::stated::StatedFigure;
@@ -17,7 +17,15 @@ const DIGITS: i32 = 5;
 pub(super) fn findings(context: &Context<'_>, graph: &Graph<'_>) -> Vec<AuditFinding> {
     let verdicts = graph.verdicts();
     let one = |verdict: &Verdict| finding(verdict, verdicts, context, graph);
-    verdicts.iter().filter_map(one).collect()
+    let mut findings: Vec<AuditFinding> = verdicts.iter().filter_map(one).collect();
+    // What was not tried may be an explanation: who reads the finding is to know.
+    for (id, total) in graph.untried() {
+        let Some(figure) = context.stated.figure(id) else { continue };
+        let note = Note::new("audit-untried").with("tried", MOST_MIXTURES).with("total", total);
+        let finding = AuditFinding::new(Severity::Note, Context::section(id), context.field(id), note);
+        findings.push(finding.at(&figure.place).about(context.subject(id.scope)));
+    }
+    findings
 }
 
 fn finding(verdict: &Verdict, all: &[Verdict], context: &Context<'_>, graph: &Graph<'_>) -> Option<AuditFinding> {

@@ -300,6 +300,13 @@ impl AuditFinding {
         self
     }
 
+    /// Says something else; the note's code is its rule.
+    #[expect(clippy::disallowed_methods, reason = "the code is told as the rule too")]
+    pub(super) fn tell(&mut self, note: Note) {
+        note.code().clone_into(&mut self.rule);
+        self.note = note;
+    }
+
     /// At that place.
     #[must_use]
     pub fn at(mut self, place: &Place) -> Self {

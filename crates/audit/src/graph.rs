@@ -112,7 +112,11 @@ pub struct Graph<'a> {
     tables: BTreeMap<Id, f64>,
     /// Stated figures that are known to be wrong or right.
     off: RefCell<BTreeMap<Id, bool>>,
+    untried: RefCell<BTreeMap<Id, usize>>,
 }
+
+/// So many mixtures of stated and right inputs of one figure are tried.
+pub(super) const MOST_MIXTURES: usize = 4096;
 
 impl<'a> Graph<'a> {
     /// A graph without formulas.
@@ -130,6 +134,7 @@ impl<'a> Graph<'a> {
             misprinted: BTreeMap::new(),
             tables: BTreeMap::new(),
             off: RefCell::default(),
+            untried: RefCell::default(),
         }
     }
 
@@ -407,10 +412,10 @@ impl<'a> Graph<'a> {
     /// Whether some combination of stated and right inputs gives the stated result; returns the wrong inputs.
     fn explained(&self, id: Id, figure: &StatedFigure, formula: &Formula<'a>) -> Option<BTreeSet<Id>> {
         let options: Vec<Vec<(f64, bool)>> = formula.inputs.iter().map(|input| self.options(*input)).collect();
-        // Only inputs with different values are tried; a larger number of combinations does not occur in a plan.
-        let total: usize = options.iter().map(|one| one.len().max(1)).product();
+        // Only inputs with different values are tried.
+        let total = options.iter().fold(1_usize, |total, one| total.saturating_mul(one.len().max(1)));
         let mut best: Option<BTreeSet<Id>> = None;
-        for number in 0..total.min(4096) {
+        for number in 0..total.min(MOST_MIXTURES) {
             let mut rest = number;
             let picked: Option<Vec<(f64, bool)>> = options
                 .iter()
@@ -431,7 +436,15 @@ impl<'a> Graph<'a> {
                 best = Some(roots);
             }
         }
+        if best.is_none() && total > MOST_MIXTURES {
+            self.untried.borrow_mut().insert(id, total);
+        }
         best
+    }
+
+    /// The figures of which not every mixture of inputs was tried, with how many there are.
+    pub(super) fn untried(&self) -> Vec<(Id, usize)> {
+        self.untried.borrow().iter().map(|(id, total)| (*id, *total)).collect()
     }
 
     /// The roots of the inputs that `wrong` picks.

@@ -67,21 +67,23 @@ fn right_value<'a>(id: Id, right: f64) -> Formula<'a> {
     }
 }
 
-/// A feed whose decimal point is misplaced, where the author went on with the right one: with the point elsewhere the
-/// author's own feed fits what was computed from it, and that is surer than another feed of a table.
+/// A figure taken from a table whose decimal point is misplaced, where the author went on with the right one: with the
+/// point elsewhere the author's own figure fits what was computed from it, and that is surer than another one of a table.
 fn points<'a>(context: &Context<'a>, graph: &mut Graph<'a>) {
-    for at in 0..context.stated.conditions.len() {
-        for quantity in [Quantity::Feed, Quantity::FeedTaken] {
-            let id = Id::new(Scope::Conditions(at), quantity);
-            if let Some((right, computed)) = point(context, graph, id) {
-                graph.correct(right_value(id, right), computed);
-            }
+    use Quantity::{CardFeed, CardForce, CardPower, CardSpeed, Feed, FeedTaken, Friction, Safety, SupportFriction};
+    let of_conditions = [Feed, FeedTaken, CardFeed, CardSpeed, CardForce, CardPower];
+    let conditions = (0..context.stated.conditions.len()).map(Scope::Conditions);
+    let ids = conditions.flat_map(|scope| of_conditions.map(|quantity| Id::new(scope, quantity)));
+    let of_clamping = [Friction, Safety, SupportFriction].map(|quantity| Id::new(Scope::Clamping, quantity));
+    for id in ids.chain(of_clamping) {
+        if let Some((right, computed)) = point(context, graph, id) {
+            graph.correct(right_value(id, right), computed);
         }
     }
 }
 
-/// The feed with its point in the right place, and a figure that was computed from it; none where the point is right,
-/// or where nothing tells whether the feed or what was computed from it is the slip.
+/// The figure with its point in the right place, and one that was computed from it; none where the point is right,
+/// or where nothing tells whether the figure or what was computed from it is the slip.
 fn point(context: &Context<'_>, graph: &Graph<'_>, id: Id) -> Option<(f64, Id)> {
     // A feed of a card is computed and judged by its formula.
     if graph.formula(id).is_some_and(|formula| formula.judge.is_none()) || context.stated.is_own {
@@ -91,7 +93,9 @@ fn point(context: &Context<'_>, graph: &Graph<'_>, id: Id) -> Option<(f64, Id)> 
     let users = graph.stated_users(id);
     let fit = |other| -> Vec<Option<bool>> { users.iter().map(|user| graph.fits_if(*user, other)).collect() };
     let before = fit(None);
-    let table = graph.tables().get(&Id { quantity: Quantity::Feed, ..id }).copied();
+    let of_table = if id.quantity == Quantity::FeedTaken { Id { quantity: Quantity::Feed, ..id } } else { id };
+    let chosen = || graph.formula(id).filter(|own| own.inputs.is_empty()).and_then(|own| (own.compute)(&[]));
+    let table = graph.tables().get(&of_table).copied().or_else(chosen);
     let limit = |name| context.auditor.threshold(name);
     let own = limit(Threshold::PointLeast)..=limit(Threshold::PointMost);
     let like_table = |value: f64| table.map(|table| own.contains(&(value / table)));

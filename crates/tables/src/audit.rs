@@ -217,6 +217,7 @@ rows! {
         cause: &'t str,
         consequence: &'t str,
         alike: Option<Vec<&'t str>>,
+        told: Option<&'t str>,
     }
 
     /// How a program may differ from its plan.

@@ -20,6 +20,9 @@ struct Fault {
     from: String,
     #[serde(default)]
     to: String,
+    /// Further changes of the same file.
+    #[serde(default)]
+    and: Vec<(String, String)>,
     /// `severity rule field` of the slip; none if the program is right.
     finds: Vec<String>,
     /// Whether the slip is the plan's: whatever is told of the program must follow from it.
@@ -38,8 +41,11 @@ fn audited(fault: &Fault) -> Audit {
         if name != fault.r#in {
             return Ok(text);
         }
-        assert_eq!(text.matches(&fault.from).count(), 1, "{}: `{}`", fault.name, fault.from);
-        Ok(text.replacen(&fault.from, &fault.to, 1))
+        let first = (fault.from.clone(), fault.to.clone());
+        Ok(std::iter::once(&first).chain(&fault.and).fold(text, |text, (from, to)| {
+            assert_eq!(text.matches(from).count(), 1, "{}: `{from}`", fault.name);
+            text.replacen(from, to, 1)
+        }))
     };
     let plan = format!("{}.yaml", fault.base);
     let stated = read_plan(&plan, &files(&plan).unwrap(), &KNOWLEDGE, &files).unwrap_or_else(|why| panic!("{why:?}"));

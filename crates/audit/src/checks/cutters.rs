@@ -69,6 +69,7 @@ pub(super) fn check<'a>(
         Some(named::unsuited(context.cutter(tool)?, &need, machine).is_none())
     };
     exchanged(context, &unsuited_rows, |at, tool| suits(at, tool) == Some(true), findings);
+    one_of_tool(context, &unsuited_rows, findings);
     two_sizes(context, &unsuited_rows, findings);
     Ok(())
 }
@@ -109,6 +110,23 @@ fn exchanged(
                 *own = root.clone();
             } else {
                 own.follows_from.push(first.field.clone());
+            }
+        }
+    }
+}
+
+/// A tool that suits none of its rows is one slip, told at the first of them: its designation is wrong.
+fn one_of_tool(context: &Context<'_>, unsuited: &[Unsuited], findings: &mut [AuditFinding]) {
+    for (tool, own) in context.stated.tools.iter().enumerate() {
+        let rows = || unsuited.iter().filter(|one| one.tool == tool);
+        let Some(first) = rows().next().and_then(|one| findings.get(one.finding)) else { continue };
+        if !first.follows_from.is_empty() || rows().count() != context.stated.rows_of_tool(own.number).count() {
+            continue;
+        }
+        let field = first.field.clone();
+        for one in rows().skip(1) {
+            if let Some(finding) = findings.get_mut(one.finding).filter(|one| one.follows_from.is_empty()) {
+                finding.follows_from.push(field.clone());
             }
         }
     }

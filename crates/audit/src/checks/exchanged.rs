@@ -1,8 +1,8 @@
-//! Two figures of one kind that stand in each other's place are one slip; with their diameters whole conditions are
-//! exchanged.
+//! Two figures that stand in each other's place are one slip: of one kind in two places, or of two kinds in one; with
+//! their diameters whole conditions are exchanged.
 
 use crate::error::KnowledgeError;
-use crate::note::{Note, Severity};
+use crate::note::{Figure, Note, Severity, Word};
 
 use super::super::context::Context;
 use super::super::figures::follows;
@@ -29,6 +29,9 @@ pub(super) fn check<'a>(
 
 /// Whether each of two figures is what the other should be.
 fn stand_for_each_other(graph: &Graph<'_>, one: &Verdict, other: &Verdict) -> bool {
+    if one.id.scope == other.id.scope {
+        return one.id.quantity != other.id.quantity && each_fits(graph, one.id, other.id);
+    }
     let alike =
         one.id.quantity == other.id.quantity && one.id.index == other.id.index && one.id.scope != other.id.scope;
     let same_kind = matches!(
@@ -44,6 +47,13 @@ fn stand_for_each_other(graph: &Graph<'_>, one: &Verdict, other: &Verdict) -> bo
     alike && same_kind && is(one, other) && is(other, one) && !graph.within_tolerance(one.id, one.right, other.right)
 }
 
+/// Whether each of two figures of one part is right with what the other states, as M and P that are exchanged are.
+fn each_fits(graph: &Graph<'_>, one: Id, other: Id) -> bool {
+    let stated = |id| graph.printed(id).map(|figure| figure.value);
+    let Some((own, others)) = stated(one).zip(stated(other)) else { return false };
+    graph.fits_if(one, Some((one, others))) == Some(true) && graph.fits_if(other, Some((other, own))) == Some(true)
+}
+
 /// The first of two exchanged figures becomes the root, the other follows from it. Conditions that have each other's
 /// diameter are exchanged as a whole: everything in them follows, and the clamping that is computed with them.
 fn tell(context: &Context<'_>, one: Id, other: Id, findings: &mut [AuditFinding]) {
@@ -51,6 +61,10 @@ fn tell(context: &Context<'_>, one: Id, other: Id, findings: &mut [AuditFinding]
     let own = |finding: &AuditFinding| finding.field == field && matches!(finding.kind, FindingKind::Formula(_));
     let Some(root) = findings.iter_mut().find(|finding| own(finding)) else { return };
     let beside = match other.scope {
+        scope if scope == one.scope => {
+            let other = Word { vocabulary: "quantity", id: other.quantity.key().replace('.', "-").into() };
+            Note::new("audit-exchanged-figures").with("other", Figure::Word(other))
+        }
         Scope::Tool(at) => {
             Note::new("audit-exchanged-tool").with("other", context.stated.tools.get(at).map_or(0, |tool| tool.number))
         }

@@ -14,6 +14,7 @@ use super::super::figures::shown;
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::roots::figure_roots;
 use super::super::rules::handbook;
 
 pub(super) fn check<'a>(
@@ -57,6 +58,8 @@ pub(super) fn check<'a>(
             let mut finding = AuditFinding::new(Severity::Doubtful, section, context.field(id), note).at(&figure.place);
             finding.quantity = Some(id.quantity);
             finding.stated = Some(figure.text.clone());
+            // Who carried a wrong figure on computed right.
+            finding.follows_from = figure_roots(graph, id).into_iter().map(|root| context.field(root)).collect();
             let finding = finding.about(context.subject(id.scope));
             findings.push(finding.resting_on([by.because.clone(), Because::row(rule.row, Note::new("audit-limit"))]));
         }

@@ -32,6 +32,8 @@ pub(super) fn check<'a>(
         let slip = slip_of_speed(context, at)?;
         let is_known = slip.is_none() && stated.tool_of(row).is_some_and(|tool| context.cutter(tool).is_some());
         let rpm = conditions.figures.get(&Q::Rpm).filter(|_| !is_known && row.operation.value != Operation::Tap);
+        // A speed that the machine does not have says enough, and its control says it.
+        let rpm = rpm.filter(|rpm| context.beyond_series(rpm.value).is_none());
         let Some((rpm, ours)) = rpm.zip(context.reference(first)) else { continue };
         let own = cutting::speed_at(RevsPerMinute(rpm.value), ours.diameter_mm).0;
         let known = ours.conditions.computed_speed_m_per_min.0.max(ours.conditions.speed_m_per_min.0);

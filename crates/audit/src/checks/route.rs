@@ -68,8 +68,28 @@ fn order(
 ) -> Result<(), KnowledgeError> {
     let mut before: Option<(i64, &Row)> = None;
     let mut opened: Option<f64> = None;
-    for (at, row) in rows {
+    for (turn, (at, row)) in rows.iter().enumerate() {
         let operation = row.operation.value;
+        // The pilot of a counterbore goes into the hole, which a later row drills.
+        let drilled = |own: &(usize, &Row)| own.1.operation.value == Operation::Drill;
+        let (done, left) = rows.split_at(turn);
+        if operation == Operation::Counterbore
+            && !done.iter().any(|own| own.1.opens_main_cylinder())
+            && let Some((_, drill)) = left.iter().find(|own| drilled(own))
+        {
+            let Some(rule) = context.shop.knowledge.ask(&TransitionOrderFor { operation, face: true })?.winner()?
+            else {
+                continue;
+            };
+            let note = Note::new("audit-order-opening")
+                .with("operation", Figure::operation(operation.name()))
+                .with("instead", Figure::operation(drill.operation.value.name()))
+                .with("row", drill.number);
+            let field = format!("route.{}.operation", row.number);
+            let finding = AuditFinding::new(Severity::Wrong, Section::Route, field, note).at(&row.operation.place);
+            let because = Because::row(rule.row, Note::new("audit-rank").with("rank", rule.rank));
+            findings.push(finding.about(context.subject(Scope::Row(*at))).resting_on([because]));
+        }
         if operation.is_of_edge() || !row.of_main_cylinder() {
             continue;
         }

@@ -211,6 +211,9 @@ impl Group<'_, '_> {
         // Edges are judged in another check; here only whether the scheme has them as the rows do, where the
         // program's plan differs.
         let merged = self.is_ours();
+        if merged && self.is_of_other_transitions(scheme, findings)? {
+            return Ok(());
+        }
         if merged && (self.context.stated.is_own || !self.has_edges_of(scheme)?) {
             return Ok(());
         }
@@ -314,6 +317,35 @@ impl Group<'_, '_> {
             }
         }
         Ok(None)
+    }
+
+    /// Whether the rows are a right route, and the scheme that they name another one of the same cell.
+    fn is_of_other_transitions(
+        &self,
+        scheme: Option<&Text>,
+        findings: &mut Vec<AuditFinding>,
+    ) -> Result<bool, KnowledgeError> {
+        let Some(scheme) = scheme.filter(|_| !self.context.stated.is_own) else { return Ok(false) };
+        if self.means(&scheme.value, &self.route.scheme)? || !self.weighed(&scheme.value) {
+            return Ok(false);
+        }
+        let Some(given) = table_answer::transitions(&full(&scheme.value), &self.context.shop)? else {
+            return Ok(false);
+        };
+        let [given, own] = [main(&given), main(&self.stated())].map(|list| drilled_once(&list));
+        // A centring more or less is another check's.
+        let bare = |list: &[Operation]| -> Vec<Operation> {
+            list.iter().copied().filter(|operation| *operation != Operation::CentreDrill).collect()
+        };
+        if bare(&given) == bare(&own) || own.len() >= given.len() {
+            return Ok(false);
+        }
+        let figure = |list: &[Operation]| Figure::operations(list.iter().map(|operation| operation.name()));
+        let note = Note::new("audit-scheme-transitions").with("stated", &*scheme.value);
+        let note = note.with("printed", figure(&given)).with("transitions", figure(&own));
+        let finding = self.finding(Severity::Wrong, self.named(), "scheme", note);
+        findings.push(finding.with_values(&scheme.value, &self.route.scheme));
+        Ok(true)
     }
 
     /// Whether the rows cut the edges that A.7 gives for the scheme, while the program's plan cuts them with another

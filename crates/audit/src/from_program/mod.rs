@@ -193,6 +193,11 @@ impl ProgramAlone<'_> {
                 unless_proven: true,
                 ..self.remark(line, Severity::Error, note)
             }));
+            remarks.extend(left_out(&part, placed, shift).into_iter().map(|(line, note)| Remark {
+                section: Section::Program,
+                unless_proven: true,
+                ..self.remark(line, Severity::Doubtful, note)
+            }));
         }
         let mut scope = vec![PlanPart::Conditions];
         scope.extend(whole.then_some(PlanPart::Holes));
@@ -333,6 +338,31 @@ fn short(part: &Part, placed: &[(Placed, Option<Meant>)], shift: Position) -> Ve
                 depth = hole.depth
             );
             found.push((line, note));
+        }
+    }
+    found
+}
+
+/// The points of a group that a tool leaves out, where it works at others of it and no other tool takes its place there: for each the
+/// line of its first cut in the group. Where it is known what every tool is, the proof says more.
+fn left_out(part: &Part, placed: &[(Placed, Option<Meant>)], shift: Position) -> Vec<(u32, Note)> {
+    let mut found = Vec::new();
+    for hole in &part.holes {
+        let own = || placed.iter().map(|(own, _)| own).filter(|own| own.hole == hole.name);
+        let points = || hole.at.iter().map(|at| [at.x, at.y]);
+        let cuts = |tool: u32, point| own().any(|one| one.cut.tool == tool && frame::is_at(&one.cut, point, shift));
+        let tools: BTreeSet<u32> = own().map(|one| one.cut.tool).collect();
+        for tool in &tools {
+            let left: Vec<_> = points().filter(|point| !cuts(*tool, *point)).collect();
+            let instead =
+                |other: &u32| other != tool && points().all(|point| cuts(*other, point) == left.contains(&point));
+            let Some(first) = own().find(|one| one.cut.tool == *tool).filter(|_| !left.is_empty()) else { continue };
+            if !tools.iter().any(instead) {
+                let hole = Figure::called(&hole.name);
+                let note =
+                    note!("audit-program-left-out", tool = *tool, hole = hole, points = DeviationFigure::Points(left));
+                found.push((first.cut.block.line, note));
+            }
         }
     }
     found

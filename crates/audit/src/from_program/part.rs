@@ -3,11 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::knowledge::Knowledge;
-use crate::part::{Part, read_part};
+use crate::knowledge::diagnostic::Place;
+use crate::knowledge::yaml::Problems;
+use crate::part::{Part, read_part_node};
 use crate::program::seen::SeenCut;
 use crate::units::Micrometres;
 
-use super::super::sheet::STAND_INS;
+use super::super::sheet::made::{self, MadeHole};
 use super::told::ToldTools;
 
 /// A part of the holes of a program: points at which the same tools work are one group. None where the holes make no part: there is
@@ -39,25 +41,22 @@ pub(super) fn made(
     let nearest = points.iter().copied().map(apart).fold(f64::INFINITY, f64::min);
     let reach = points.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
     let side = libm::ceil((reach + 50.0) * 2.0);
-    let mut holes = String::new();
-    for (number, (sections, own)) in (1..).zip(&groups) {
+    let made = |(number, (sections, own)): (usize, (&&BTreeSet<usize>, &Vec<([Micrometres; 2], Micrometres)>))| {
         let of = seen.iter().filter(|cut| sections.contains(&cut.section));
         let size = of.filter_map(|cut| told.of(cut.tool)?.diameter).fold(0.0, f64::max);
         let size = if size > 0.0 { size } else { untold.to_mm() }.min(nearest * 0.9);
         let deepest = own.iter().map(|(_, deepest)| deepest.to_mm()).fold(0.0, f64::min);
-        let at: Vec<String> = own.iter().map(|([x, y], _)| format!("[{x}, {y}]")).collect();
-        holes.push_str(&format!(
-            "  - {{name: \"{number}\", diameter: {size}H14, depth: {}, roughness: Rz 80, centre_tolerance: 1, at: [{}]}}\n",
-            (-deepest).max(1.0),
-            at.join(", ")
-        ));
-    }
+        MadeHole {
+            name: number.to_string(),
+            diameter: format!("{size}H14"),
+            depth: (-deepest).max(1.0),
+            at: own.iter().map(|(at, _)| at.map(Micrometres::to_mm)).collect(),
+        }
+    };
+    let holes: Vec<MadeHole> = (1..).zip(&groups).map(made).collect();
     let deepest = tools.values().map(|(_, deepest)| -deepest.to_mm()).fold(10.0, f64::max);
-    let [(_, material), (_, machine)] = STAND_INS;
-    let text = format!(
-        "part: {file:?}\nmaterial: {material}\nmachine: {machine}\nblank: {{kind: plate, length: {side}, width: {side}, \
-         thickness: {}}}\nholes:\n{holes}",
-        libm::ceil(deepest + 20.0)
-    );
-    read_part(file, &text, knowledge).ok()
+    let place = Place { file: file.into(), line: 1, column: 1, width: 1 };
+    let node = made::part(file, &holes, [side, side, libm::ceil(deepest + 20.0)], |_| None, &place);
+    let mut problems = Problems::default();
+    read_part_node(&node, knowledge, &mut problems).filter(|_| problems.0.is_empty())
 }

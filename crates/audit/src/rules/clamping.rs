@@ -11,7 +11,7 @@ use super::super::graph::{Graph, Judge, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::stated::Stated;
 use super::conditions::torque_of_power;
-use super::{equal_figures, fixed_figure, formula, largest};
+use super::{by_its_text, equal_figures, fixed_figure, largest, written};
 
 const POWER: Rule = Rule { id: "clamping-power", formula: "N" };
 const RPM: Rule = Rule { id: "clamping-rpm", formula: "nпр" };
@@ -72,21 +72,13 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     }
     if slides {
         let inputs = vec![id(Q::Safety), id(Q::SideForce), id(Q::Friction), id(Q::SupportFriction)];
-        let force = |values: &[f64]| {
-            let [k, side, clamp, support] = values else { return None };
-            Some(k * side / (clamp + support))
-        };
-        graph.add(formula(&SLIDING, id(Q::ClampForce), inputs, "{0}·{1}/({2}+{3})", force));
+        graph.add(by_its_text(&SLIDING, id(Q::ClampForce), inputs));
     } else {
         let inputs = vec![id(Q::Safety), id(Q::Torque), id(Q::Friction), id(Q::Distance)];
-        let force = |values: &[f64]| {
-            let [k, torque, f, distance] = values else { return None };
-            Some(k * torque / (f * distance / 1000.0))
-        };
-        graph.add(formula(&FORCE, id(Q::ClampForce), inputs, "{0}·{1}/({2}·{3}/1000)", force));
+        // A plan has d in mm.
+        graph.add(written(&FORCE, id(Q::ClampForce), inputs, "{0}·{1}/({2}·{3}/1000)"));
     }
-    let each = |values: &[f64]| Some(values.first()? / values.get(1)?.max(1.0));
-    graph.add(formula(&EACH, id(Q::ForcePerClamp), vec![id(Q::ClampForce), id(Q::Clamps)], "{0}/{1}", each));
+    graph.add(by_its_text(&EACH, id(Q::ForcePerClamp), vec![id(Q::ClampForce), id(Q::Clamps)]));
     Ok(())
 }
 

@@ -11,7 +11,7 @@ use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::stated::Row;
-use super::{equal_figures, fixed_figure, formula, largest, marks};
+use super::{equal_figures, fixed_figure, largest, marks, written};
 
 const COUNT: Rule = Rule { id: "holes-of-group", formula: "z" };
 const COUNT_OF_CONDITIONS: Rule = Rule { id: "holes-of-rows", formula: "z = Σz" };
@@ -95,10 +95,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let counts: Vec<Id> = conditions.rows.iter().map(|row| Id::new(Scope::Row(*row), Q::Count)).collect();
         if let Some(first) = conditions.rows.first() {
             let numbers = marks(counts.len(), "+");
-            let sum = formula(&COUNT_OF_CONDITIONS, Id::new(scope, Q::Count), counts, &numbers, |values| {
-                Some(values.iter().sum())
-            });
-            graph.add(sum);
+            graph.add(written(&COUNT_OF_CONDITIONS, Id::new(scope, Q::Count), counts, &numbers));
             // All rows of the same conditions have the same diameter.
             for other in conditions.rows.iter().skip(1) {
                 let same_diameter = equal_figures(

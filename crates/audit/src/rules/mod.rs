@@ -7,6 +7,7 @@ mod clamping;
 mod conditions;
 pub(super) mod counts;
 pub(super) mod handbook;
+mod law;
 pub(super) mod tabulated;
 mod times;
 pub(super) mod tools;
@@ -17,6 +18,7 @@ use crate::note::Because;
 use super::context::Context;
 use super::graph::{Formula, Graph, Rule};
 use super::quantity::Id;
+use law::{Law, with_places};
 
 /// Adds the formulas of a family to the graph.
 type Family = for<'a> fn(&'a Context<'a>, &mut Graph<'a>) -> Result<(), KnowledgeError>;
@@ -50,7 +52,19 @@ pub fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), Kn
     Ok(())
 }
 
-/// A formula without choice and rows; `numbers` has `{0}` … for the inputs.
+/// The formula of a rule as it stands there: its symbols, in the order in which they first stand in it, are the inputs.
+fn by_its_text<'a>(rule: &'static Rule, output: Id, inputs: Vec<Id>) -> Formula<'a> {
+    written(rule, output, inputs, &with_places(rule.formula))
+}
+
+/// A formula with as many terms as a plan has; `numbers` has `{0}` … for the inputs, and is what computes.
+fn written<'a>(rule: &'static Rule, output: Id, inputs: Vec<Id>, numbers: &str) -> Formula<'a> {
+    let law = Law::read(numbers);
+    debug_assert!(law.is_some(), "{}: {numbers}", rule.id);
+    formula(rule, output, inputs, numbers, move |values| law.as_ref()?.compute(values))
+}
+
+/// A formula that another room computes; `numbers` has `{0}` … for the inputs.
 fn formula<'a>(
     rule: &'static Rule,
     output: Id,
@@ -72,7 +86,7 @@ fn formula<'a>(
 
 /// Two figures that must be the same.
 fn equal_figures<'a>(rule: &'static Rule, output: Id, input: Id) -> Formula<'a> {
-    formula(rule, output, vec![input], "{0}", |values| values.first().copied())
+    written(rule, output, vec![input], "{0}")
 }
 
 /// A figure given by a row of a table or by the drawing.

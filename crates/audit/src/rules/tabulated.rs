@@ -6,8 +6,9 @@
 
 use crate::error::KnowledgeError;
 use crate::note::{Because, Figure, Note, Severity};
-use crate::plan::Operation;
+use crate::plan::{CuttingMethod, Operation};
 use crate::tables::audit::{AuditByTableFor, Tabulated};
+use crate::tables::cutting::CardPoints;
 use crate::units::round_to;
 
 use super::super::context::Context;
@@ -18,7 +19,10 @@ use super::fixed_figure;
 
 const FAR: Rule = Rule { id: "audit-by-table", formula: "" };
 
-pub(super) const RULES: &[Rule] = &[FAR];
+/// The figures of a card taken from a row of another transition.
+const CARD_ROW: Rule = Rule { id: "audit-card-row", formula: "" };
+
+pub(super) const RULES: &[Rule] = &[FAR, CARD_ROW];
 
 /// What the rule says of a figure beside its table.
 pub(crate) struct Judged {
@@ -58,6 +62,12 @@ pub(in super::super) fn far_off<'a>(
             continue;
         }
         let Some(figure) = context.stated.figure(id).filter(|_| graph.formula(id).is_none()) else { continue };
+        if let Some(note) = card_row(context, graph, id)? {
+            let mut formula = fixed_figure(&CARD_ROW, id, table, rows(context, id));
+            formula.judge = Some(Box::new(move |_, _| Some((Severity::Wrong, note.clone()))));
+            found.push(formula);
+            continue;
+        }
         let Some(own) = judged(context, id, figure.value, table)?.filter(|own| own.severity <= Severity::Wrong) else {
             continue;
         };
@@ -67,6 +77,38 @@ pub(in super::super) fn far_off<'a>(
         found.push(formula);
     }
     Ok(found)
+}
+
+/// The figures of a card, with those of its points.
+const CARD: [Q; 4] = [Q::CardFeed, Q::CardSpeed, Q::CardForce, Q::CardPower];
+
+/// What is said of a figure of the card, where all that the plan takes from the card stand in the row of another transition, and the tables
+/// have something against one of them. Of fewer than three figures nobody can tell.
+fn card_row(context: &Context<'_>, graph: &Graph<'_>, id: Id) -> Result<Option<Note>, KnowledgeError> {
+    let operation = operation(context, id).filter(|_| CARD.contains(&id.quantity));
+    let Some(operation) = operation.filter(|_| context.stated.method == CuttingMethod::Card) else { return Ok(None) };
+    let stated = |quantity| context.stated.figure(Id { quantity, ..id }).map(|figure| figure.value);
+    let own = CARD.map(stated);
+    if own.iter().flatten().count() < 3 {
+        return Ok(None);
+    }
+    let points = context.shop.knowledge.rows::<CardPoints<'_>>()?;
+    let printed = |row: &&CardPoints<'_>| {
+        let figures = [row.feed.0, row.speed.0, row.thrust.0, row.power.0];
+        own.iter().zip(figures).all(|(own, figure)| own.is_none_or(|own| (own - figure).abs() < 1e-9))
+    };
+    let Some(row) = points.iter().filter(|row| row.operation != operation).find(printed) else { return Ok(None) };
+    for quantity in CARD {
+        let id = Id { quantity, ..id };
+        let both = stated(quantity).zip(graph.tables().get(&id));
+        if let Some((value, table)) = both
+            && judged(context, id, value, *table)?.is_some()
+        {
+            let note = Note::new("audit-card-row").with("operation", Figure::operation(row.operation.name()));
+            return Ok(Some(note.with("diameter", row.diameter)));
+        }
+    }
+    Ok(None)
 }
 
 /// A spindle speed of a program that is the slip where its feed per turn looks like one: the feed per minute is that of our plan, and the

@@ -7,7 +7,7 @@ use crate::tables::machines::MachineQuantity;
 use super::super::context::Context;
 use super::super::graph::{Graph, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{fixed_figure, formula};
+use super::{fixed_figure, marks, written};
 
 const MACHINE: Rule = Rule { id: "machine-time-of-part", formula: "ΣTм = Σz·Tм" };
 const CHANGE: Rule = Rule { id: "tool-change-time", formula: "Tзм = m·tзм" };
@@ -20,16 +20,15 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     let stated = context.stated;
     let id = |quantity| Id::new(Scope::Times, quantity);
     let mut inputs = Vec::new();
-    let mut marks = Vec::new();
+    let mut terms = Vec::new();
     for (at, _) in stated.rows.iter().enumerate().filter(|(_, row)| !row.elsewhere) {
         let Some(conditions) = stated.conditions_of(at) else { continue };
-        marks.push(format!("{{{}}}·{{{}}}", inputs.len(), inputs.len() + 1));
+        terms.push(format!("{{{}}}·{{{}}}", inputs.len(), inputs.len() + 1));
         inputs.push(Id::new(Scope::Row(at), Q::Count));
         inputs.push(Id::new(Scope::Conditions(conditions), Q::Time));
     }
     if !inputs.is_empty() {
-        let sum = |values: &[f64]| Some(values.chunks(2).map(|pair| pair.iter().product::<f64>()).sum());
-        graph.add(formula(&MACHINE, id(Q::MachineTime), inputs, &marks.join("+"), sum));
+        graph.add(written(&MACHINE, id(Q::MachineTime), inputs, &terms.join("+")));
     }
     let changes = context.changes().len();
     if changes > 0 {
@@ -45,7 +44,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     let more =
         [Q::FeedOutTime, Q::DwellTime, Q::HandTime].map(id).into_iter().filter(|id| stated.figure(*id).is_some());
     let inputs: Vec<Id> = [Q::MachineTime, Q::RapidTime, Q::ChangeTime].map(id).into_iter().chain(more).collect();
-    let marks: Vec<String> = (0..inputs.len()).map(|at| format!("{{{at}}}")).collect();
-    graph.add(formula(&TOTAL, id(Q::TotalTime), inputs, &marks.join("+"), |values| Some(values.iter().sum())));
+    let sum = marks(inputs.len(), "+");
+    graph.add(written(&TOTAL, id(Q::TotalTime), inputs, &sum));
     Ok(())
 }

@@ -12,7 +12,7 @@ use super::super::context::Context;
 use super::super::figures::nature;
 use super::super::graph::{Graph, Judge, Rule};
 use super::super::quantity::{Id, Quantity as Q, Scope};
-use super::{equal_figures, fixed_figure, formula, largest};
+use super::{by_its_text, equal_figures, fixed_figure, largest};
 
 const DIMENSION: Rule = Rule { id: "tool-dimension", formula: "" };
 const HOLDER: Rule = Rule { id: "holder-dimension", formula: "" };
@@ -93,10 +93,7 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         if context.has_machine_taper(at) {
             graph.add(equal_figures(&ASSEMBLY, id(Q::Assembly), overhang));
         } else {
-            let sum = formula(&ASSEMBLY, id(Q::Assembly), vec![overhang, holder], "{0}+{1}", |values| {
-                Some(values.iter().sum())
-            });
-            graph.add(sum);
+            graph.add(by_its_text(&ASSEMBLY, id(Q::Assembly), vec![overhang, holder]));
         }
         corrections(context, graph, at);
     }
@@ -160,18 +157,18 @@ fn corrections<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) {
         (!known).then(|| (Severity::Wrong, Note::new("audit-no-such-reference")))
     }));
     graph.add(reference);
-    let inputs = vec![id(Q::Assembly), id(Q::LongestAssembly)];
-    let difference = |values: &[f64]| Some(values.first()? - values.get(1)?);
-    let reverse = move |values: &[f64]| difference(values).map(|value| -value);
-    let mut correction = if context.subtracts(at) {
-        formula(&MINUS, id(Q::Correction), inputs.clone(), "{1}−{0}", reverse)
+    let [own, longest] = [Q::Assembly, Q::LongestAssembly].map(id);
+    let subtracts = context.subtracts(at);
+    let mut correction = if subtracts {
+        by_its_text(&MINUS, id(Q::Correction), vec![longest, own])
     } else {
-        formula(&PLUS, id(Q::Correction), inputs.clone(), "{0}−{1}", difference)
+        by_its_text(&PLUS, id(Q::Correction), vec![own, longest])
     };
     // Where neither plan nor program has G43 or G44, both signs are accepted.
     if context.correction_word(at).is_none() && !stated.is_own {
         correction.judge = Some(Box::new(move |value, inputs| {
-            let plus = difference(inputs)?;
+            let by_formula = inputs.first()? - inputs.get(1)?;
+            let plus = if subtracts { -by_formula } else { by_formula };
             let near = |right: f64| (value - right).abs() < 1e-6;
             if near(plus) {
                 None
@@ -183,5 +180,5 @@ fn corrections<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) {
         }));
     }
     graph.add(correction);
-    graph.add(formula(&BOOK, id(Q::BookCorrection), inputs, "{1}−{0}", reverse));
+    graph.add(by_its_text(&BOOK, id(Q::BookCorrection), vec![longest, own]));
 }

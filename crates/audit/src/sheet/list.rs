@@ -13,8 +13,9 @@ use technolog_core::words::operation_named;
 
 use super::cells::{self, hole, of_size, size};
 use super::columns::{Column, Of};
+use super::made::{self, MadeHole};
 use super::sections::{Cells, Kind, Section, line, lines, nested, table};
-use super::{Book, STAND_INS, Tabled, Unsaid, entry, list_of, map, scalar};
+use super::{Book, Tabled, Unsaid, entry, list_of, map, scalar};
 
 /// A row of the list, taken apart.
 struct Entry {
@@ -295,48 +296,26 @@ impl Holes<'_> {
 
     /// A part that has these holes and nothing else.
     fn part(&self, said: &[(Column, Node)], place: &Place) -> Node {
-        let text = |text: &str| scalar(text, place);
         let width = |own: &str| size(own).unwrap_or(10.0);
         let widest = self.made.iter().map(|(_, own, _)| width(own)).fold(10.0, f64::max);
         let deepest = self.made.iter().map(|(.., depth)| *depth).fold(10.0, f64::max);
         let pitch = (widest * 3.0).ceil();
         let length = pitch * (self.made.len().max(1) as f64 + 1.0);
-        let hole = |(at, (name, own, depth)): (usize, &(String, String, f64))| {
-            let x = pitch * (at as f64 + 1.0) - length / 2.0;
-            let depth = if *depth > 0.0 { *depth } else { width(own).min(deepest) };
-            let at = list_of(vec![list_of(vec![text(&x.to_string()), text("0")], place)], place);
-            map(
-                vec![
-                    entry("name", text(name)),
-                    entry("diameter", text(own)),
-                    entry("depth", text(&depth.to_string())),
-                    entry("roughness", text("Rz 80")),
-                    entry("centre_tolerance", text("1")),
-                    entry("at", at),
-                ],
-                place,
-            )
+        let hole = |(at, (name, own, depth)): (usize, &(String, String, f64))| MadeHole {
+            name: name.clone(),
+            diameter: own.clone(),
+            depth: if *depth > 0.0 { *depth } else { width(own).min(deepest) },
+            at: vec![[pitch * (at as f64 + 1.0) - length / 2.0, 0.0]],
         };
-        let mut holes: Vec<Node> = self.made.iter().enumerate().map(hole).collect();
+        let mut holes: Vec<MadeHole> = self.made.iter().enumerate().map(hole).collect();
         if holes.is_empty() {
             holes.push(hole((0, &("A".to_owned(), "10H14".to_owned(), 0.0))));
         }
-        let blank =
-            [("kind", "plate".to_owned()), ("length", length.to_string()), ("width", (pitch * 2.0).to_string())];
-        let mut blank: Vec<(Key, Node)> = blank.iter().map(|(key, value)| entry(key, text(value))).collect();
-        blank.push(entry("thickness", text(&(deepest.max(widest) * 2.0 + 20.0).to_string())));
-        let mut part = vec![
-            entry("part", text(&place.file)),
-            entry("blank", map(blank, place)),
-            entry("holes", list_of(holes, place)),
-        ];
-        for (key, stand_in) in STAND_INS {
-            let own = said
-                .iter()
-                .find(|(column, _)| column.of == Of::Part && column.key == key)
-                .map(|(_, node)| node.clone());
-            part.push(entry(key, own.unwrap_or_else(|| text(stand_in))));
-        }
-        map(part, place)
+        let blank = [length, pitch * 2.0, deepest.max(widest) * 2.0 + 20.0];
+        let said = |key: &str| {
+            let mut own = said.iter().filter(|(column, _)| column.of == Of::Part && column.key == key);
+            own.next().map(|(_, node)| node.clone())
+        };
+        made::part(&place.file, &holes, blank, said, place)
     }
 }

@@ -5,6 +5,7 @@ mod cells;
 pub(crate) mod columns;
 mod heads;
 mod list;
+pub(crate) mod made;
 mod sections;
 pub(crate) mod translate;
 mod write;

@@ -87,6 +87,7 @@ audit-source-power-of-torque = textbook, Appendix Г item 8
 audit-source-torque-of-power = textbook, Appendix Г item 8
 audit-source-machine-time = textbook 1.4
 audit-source-by-tables = the cutting tables, as `technolog plan` reads them
+audit-source-audit-card-row = the cards of the worked example, textbook Appendix Г item 7
 audit-source-audit-by-table = the cutting tables, as `technolog plan` reads them
 audit-source-holes-of-group = the drawing
 audit-source-holes-of-rows = textbook, Appendix Г items 4 and 7

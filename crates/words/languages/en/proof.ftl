@@ -18,6 +18,9 @@ wrong-order = { $hole }: { $operation } at { $at } is made after a transition th
 # Tools.
 wrong-tool = { $hole }: { $operation } at { $at } is made by T{ $tool }, but T{ $needed } is needed
     .help = check T and H of this tool
+program-tool-called = T{ $tool } is called, but { $hole }: { $operation } at { $at } needs T{ $needed }
+program-tools-exchanged = T{ $tool } and T{ $needed } are exchanged: each is called for the work of the other
+program-correctors-exchanged = offset registers H{ $corrector } and H{ $own } are exchanged: each tool cuts with that of the other
 tool-unknown = the plan has no tool T{ $tool }
     .help = check T and H of this tool
 tool-by-work = T{ $tool } of the program does the work of the plan's T{ $plan }

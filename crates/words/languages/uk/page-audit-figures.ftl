@@ -87,6 +87,7 @@ audit-source-power-of-torque = посібник, додаток Г, п. 8
 audit-source-torque-of-power = посібник, додаток Г, п. 8
 audit-source-machine-time = посібник 1.4
 audit-source-by-tables = таблиці режимів різання, як їх читає `technolog plan`
+audit-source-audit-card-row = карти розв’язаного прикладу, додаток Г підручника, п. 7
 audit-source-audit-by-table = таблиці режимів різання, як їх читає `technolog plan`
 audit-source-holes-of-group = креслення
 audit-source-holes-of-rows = посібник, додаток Г, п. 4 і 7

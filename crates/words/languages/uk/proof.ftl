@@ -19,6 +19,9 @@ wrong-order = { $hole }: { $operation } в { $at } виконано після �
 # Tools.
 wrong-tool = { $hole }: { $operation } в { $at } виконує T{ $tool }, а треба T{ $needed }
     .help = перевірте T і H цього інструмента
+program-tool-called = викликано T{ $tool }, а { $hole }: { $operation } в { $at } потребує T{ $needed }
+program-tools-exchanged = T{ $tool } і T{ $needed } переплутано: кожен викликано для роботи іншого
+program-correctors-exchanged = коректори H{ $corrector } і H{ $own } переплутано: кожен інструмент ріже з коректором іншого
 tool-unknown = інструмента T{ $tool } у плані немає
     .help = перевірте T і H цього інструмента
 tool-by-work = T{ $tool } програми робить те, що в плані T{ $plan }

@@ -6,7 +6,7 @@ use technolog_note::note;
 
 use crate::error::KnowledgeError;
 use crate::knowledge::Knowledge;
-use crate::note::Severity;
+use crate::note::{Note, Severity};
 use crate::program::proof::{self, Code, DeviationFigure, Name};
 use crate::program::{Fault, Subject};
 use crate::tables::audit::ProgramCauses;
@@ -26,6 +26,11 @@ pub(super) struct FindingFacts {
     function: Option<String>,
     /// Whether the control stops at this fault.
     pub broken: bool,
+}
+
+/// The sentence of that code with the figures of a deviation.
+pub(super) fn called(figures: &BTreeMap<Name, DeviationFigure>, code: &str) -> Note {
+    figures.iter().fold(Note::new(code.to_owned()), |note, (name, figure)| note.with(name.name(), figure))
 }
 
 /// Which check found it, and what.
@@ -122,6 +127,8 @@ struct Rule<'k> {
     consequence: FindingOrigin<'k>,
     /// Each pair: the fact of the cause, and that of the consequence.
     alike: Vec<(SharedFactKind, SharedFactKind)>,
+    /// What the cause is called together with this consequence.
+    told: Option<&'k str>,
 }
 
 impl<'k> Rule<'k> {
@@ -138,7 +145,8 @@ impl<'k> Rule<'k> {
             Ok((one(of_cause)?, one(of_consequence)?))
         };
         let alike = row.alike.iter().flatten().map(both).collect::<Result<_, KnowledgeError>>()?;
-        Ok(Self { cause: FindingOrigin::named(row.cause), consequence: FindingOrigin::named(row.consequence), alike })
+        let (cause, consequence) = (FindingOrigin::named(row.cause), FindingOrigin::named(row.consequence));
+        Ok(Self { cause, consequence, alike, told: row.told })
     }
 
     /// Whether two findings agree; a fact that one of them lacks agrees with anything.
@@ -158,7 +166,14 @@ pub(super) fn together(seen: Vec<FindingFacts>, knowledge: &Knowledge) -> Result
     let rows = knowledge.rows::<ProgramCauses<'_>>()?;
     let of_programs = rows.iter().filter(|row| !is_of_plans(row));
     let rules: Vec<Rule<'_>> = of_programs.map(Rule::of).collect::<Result<_, _>>()?;
-    let causes: Vec<Option<usize>> = (0..seen.len()).map(|at| cause(at, &seen, &rules)).collect();
+    let named: Vec<Option<(usize, Option<&str>)>> = (0..seen.len()).map(|at| cause(at, &seen, &rules)).collect();
+    let causes: Vec<Option<usize>> = named.iter().map(|one| one.map(|(cause, _)| cause)).collect();
+    // An exchange is told as one, of the cause that follows from nothing.
+    let told = named.iter().flatten().filter_map(|(cause, told)| Some((*cause, (*told)?)));
+    let told: BTreeMap<usize, Note> = told
+        .filter(|(cause, _)| causes[*cause].is_none())
+        .map(|(cause, told)| (cause, called(&seen[cause].figures, told)))
+        .collect();
     // The fields that the cause follows from, or else the cause itself.
     let fields: Vec<Vec<String>> = seen
         .iter()
@@ -168,6 +183,9 @@ pub(super) fn together(seen: Vec<FindingFacts>, knowledge: &Knowledge) -> Result
         })
         .collect();
     let mut found: Vec<AuditFinding> = seen.into_iter().map(|facts| facts.finding).collect();
+    for (at, note) in told {
+        found[at].tell(note);
+    }
     for at in 0..found.len() {
         let Some(root) = root(at, &causes).filter(|_| found[at].follows_from.is_empty()) else { continue };
         if let Some(fields) = fields.get(root) {
@@ -179,15 +197,15 @@ pub(super) fn together(seen: Vec<FindingFacts>, knowledge: &Knowledge) -> Result
     Ok(found)
 }
 
-/// The cause of a finding: the first that a row of the table names.
-fn cause(at: usize, seen: &[FindingFacts], rules: &[Rule<'_>]) -> Option<usize> {
+/// The cause of a finding, the first that a row of the table names, and what it is called with it.
+fn cause<'k>(at: usize, seen: &[FindingFacts], rules: &[Rule<'k>]) -> Option<(usize, Option<&'k str>)> {
     let facts = seen.get(at)?;
     for rule in rules.iter().filter(|rule| facts.is(rule.consequence)) {
         for (number, other) in seen.iter().enumerate() {
             // Of two of one id the first is the cause.
             let later = number >= at && (number == at || other.who == facts.who);
             if !later && other.is(rule.cause) && rule.agree(other, facts) {
-                return Some(number);
+                return Some((number, rule.told));
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The severity and the place of a deviation of a program from its plan.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::error::KnowledgeError;
@@ -17,7 +18,7 @@ use super::super::super::context::Context;
 use super::super::super::finding::{AuditFinding, Section};
 use super::super::super::graph::{Graph, Status};
 use super::super::super::quantity::{Id, Quantity as Q, Scope};
-use super::causes::{FindingFacts, SETTING};
+use super::causes::{FindingFacts, SETTING, called};
 use super::{field, holds};
 
 /// Offset registers whose setting differs from the plan.
@@ -64,6 +65,8 @@ pub(super) struct Caps<'k> {
     rows: Vec<ProgramAloneCaps<'k>>,
     /// The tool changes after the first, with the height at which they happen: where the program begins nobody knows.
     changes: Vec<(BlockRef, Micrometres)>,
+    /// The first block of each cut of a tool, with the change before it.
+    called: Vec<(BlockRef, u32, BlockRef)>,
 }
 
 impl<'k> Caps<'k> {
@@ -73,9 +76,26 @@ impl<'k> Caps<'k> {
     /// The table cannot be read.
     pub fn read(context: &Context<'k>, steps: &[MotionStep]) -> Result<Self, KnowledgeError> {
         let rows = context.stated.is_of_program().then(|| context.shop.knowledge.rows());
+        let (mut called, mut known, mut spindle) = (Vec::new(), BTreeSet::new(), None);
+        for step in steps {
+            match step.motion {
+                Motion::ToolChange { tool } => spindle = Some((tool, step.block)),
+                _ => called.extend(
+                    spindle
+                        .filter(|(tool, _)| known.insert((step.block, *tool)))
+                        .map(|(tool, at)| (step.block, tool, at)),
+                ),
+            }
+        }
         let changes = steps.iter().filter(|step| matches!(step.motion, Motion::ToolChange { .. })).skip(1);
         let changes = changes.map(|step| (step.block, step.at.z)).collect();
-        Ok(Self { rows: rows.transpose()?.unwrap_or_default(), changes })
+        Ok(Self { rows: rows.transpose()?.unwrap_or_default(), changes, called })
+    }
+
+    /// The change that brought a tool to a block.
+    fn changed(&self, block: Option<BlockRef>, tool: Option<u32>) -> Option<BlockRef> {
+        let own = self.called.iter().find(|(own, with, _)| Some(*own) == block && Some(*with) == tool);
+        own.map(|(_, _, change)| *change)
     }
 
     /// Whether a tool is changed lower than another of the same program: then the way to the place of the change is left out.
@@ -180,8 +200,11 @@ pub(super) fn deviation(
             return Ok(());
         }
     }
-    let mut place = deviation.block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
-    let mut name = field(deviation.block);
+    // A wrong tool is called where it is changed.
+    let changed = || caps.changed(deviation.block, deviation.tool());
+    let block = if deviation.code == Code::WrongTool { changed().or(deviation.block) } else { deviation.block };
+    let mut place = block.map(|block| Place { file: file.clone(), line: block.line, column: 1, width: 1 });
+    let mut name = field(block);
     let mut beside = None;
     if deviation.code == Code::OtherCorrector {
         let at = tool.and_then(|tool| context.stated.tool_at(tool));
@@ -195,6 +218,9 @@ pub(super) fn deviation(
     }
     let follows_from = if own { Vec::new() } else { slips(context, graph, row, tool) };
     let mut finding = AuditFinding::new(severity, Section::Program, name, deviation.note.clone());
+    if block != deviation.block {
+        finding.note = called(&deviation.figures, "program-tool-called");
+    }
     if let Some((stated, right)) = beside {
         finding = finding.with_values(stated, right);
     }
