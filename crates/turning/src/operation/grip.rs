@@ -450,8 +450,7 @@ mod tests {
                  {{from: {{d: 0, z: 0}}}}\n  - {{face: 140}}\n  - {{cylinder: -40}}\n  - {{face: 146}}\n  - {{cylinder: -80}}\n"
             )
         };
-        let planned =
-            |lathe: &str| plan(&read_workpiece("part", &part(lathe), &knowledge).unwrap(), &knowledge).unwrap();
+        let planned = |lathe: &str| plan(&read_turned("part", &part(lathe), &knowledge).unwrap(), &knowledge).unwrap();
         let operation = planned("16a20f3");
         let grip = operation.set_ups[0].grip.as_ref().unwrap();
         for (rpm, lost) in [(2850.0, 21_344.0), (1425.0, 5336.0)] {
