@@ -1,7 +1,9 @@
 //! Plans the whole grid of ordinary holes and writes the table of its refusals into docs/refusals.md:
 //!
 //!     cargo run -q --example refusals              # the whole grid, more than half an hour of one core
-//!     cargo run -q --example refusals -- 20        # every twentieth hole of it
+//!     cargo run -q --example refusals -- 5         # every fifth hole of it
+//!
+//! 2, 3, 7 and 11 divide the grid: a stride with one of them takes the same materials, depths or blanks again and again.
 
 use technolog::parallel;
 use technolog_testing::grid::{GridHole, holes};
