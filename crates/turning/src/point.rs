@@ -108,6 +108,13 @@ impl Vector {
         Self { z: -self.radius, radius: self.z }
     }
 
+    /// Turned by an angle to the left, radians.
+    #[must_use]
+    pub fn turned(self, angle: f64) -> Self {
+        let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+        Self { z: self.z * cosine - self.radius * sine, radius: self.z * sine + self.radius * cosine }
+    }
+
     /// The same direction, 1 mm long; unchanged if it has no length.
     #[must_use]
     pub fn unit(self) -> Self {

@@ -6,6 +6,7 @@
 use serde::Serialize;
 
 use super::contour::{Curve, Piece};
+use super::length::Half;
 use super::point::Point;
 use crate::units::MillimetresPerRev;
 
@@ -86,6 +87,13 @@ impl Toolpath {
         if !piece.is_nothing() {
             self.moves.push(Move::along(piece, purpose));
         }
+    }
+
+    /// Inside out: from a bore to an outer contour, or back; radii count inwards from `top`.
+    #[must_use]
+    pub fn inside_out(&self, top: Half) -> Self {
+        let moves = self.pieces().map(|(piece, purpose)| Move::along(piece.inside_out(top), purpose));
+        Self { from: self.from.inside_out(top), moves: moves.collect() }
     }
 
     /// Its moves as pieces, each with its purpose and, where it has one, its own feed.

@@ -11,7 +11,8 @@ use technolog::turning::contour::{Curve, Piece, Side, SurfaceKind, SurfaceName, 
 use technolog::turning::length::Half;
 use technolog::turning::point::Point;
 use technolog::turning::workpiece::{Allowances, HeatTreatment, JawKind, Workpiece, blank, read_turned};
-use technolog_testing::KNOWLEDGE;
+use technolog::units::Micrometres;
+use technolog_testing::{KNOWLEDGE, shafts};
 
 fn text(example: &str) -> String {
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/{example}.yaml"))).unwrap()
@@ -422,6 +423,30 @@ proptest! {
         let mistakes = read_turned("part", &text, &KNOWLEDGE).unwrap_err();
         let code = if short { "part-longer-than-blank" } else { "part-beyond-blank" };
         prop_assert!(mistakes.iter().all(|one| one.code() == code && one.place().is_some()), "{mistakes:?}");
+    }
+
+    /// The contour of a stepped shaft written out is the same part.
+    #[test]
+    fn steps_are_short_for_a_contour(shaft in shafts::shafts(60)) {
+        let mut cylinders: Vec<(Micrometres, Micrometres)> = Vec::new();
+        for step in &shaft.steps {
+            match cylinders.last_mut() {
+                Some((diameter, length)) if *diameter == step.diameter => *length = *length + step.length,
+                _ => cylinders.push((step.diameter, step.length)),
+            }
+        }
+        let item = |(diameter, length): &(Micrometres, Micrometres)| {
+            format!("  - {{face: {diameter}}}\n  - {{cylinder: {{length: {length}}}}}\n")
+        };
+        let text = format!(
+            "shaft: shaft\nmaterial: steel-45\nblank: {{kind: bar, diameter: {}, length: {}}}\nouter:\n  - {{from: {{d: 0, z: 0}}}}\n{}\
+             roughing: {{limiting_depth: {}}}\nallowances: {{method: stated, on_diameter: 0, on_face: 0}}\n",
+            shaft.blank.diameter,
+            shaft.blank.length,
+            cylinders.iter().map(item).collect::<String>(),
+            shaft.roughing.longitudinal_depth
+        );
+        prop_assert_eq!(Workpiece { shaft: None, ..shafts::workpiece(&shaft) }, read(&text));
     }
 
     #[test]

@@ -144,6 +144,18 @@ impl Piece {
         }
     }
 
+    /// The point so far along it from its beginning, mm.
+    pub fn at_length(self, length: f64) -> Point {
+        match (self.curve, self.centre()) {
+            (Curve::Arc { radius, turn }, Some(centre)) => {
+                let sign = if turn == Turn::Left { 1.0 } else { -1.0 };
+                let angle = sign * length / radius.to_mm().max(f64::MIN_POSITIVE);
+                Point::at(centre.plus(self.from.vector().minus(centre).turned(angle)))
+            }
+            _ => self.from.moved(self.chord().unit().times(length)),
+        }
+    }
+
     /// Its outermost points in each direction: its ends, and points where an arc is horizontal or vertical.
     pub fn extremes(self) -> Vec<Point> {
         let mut points = vec![self.from, self.to];

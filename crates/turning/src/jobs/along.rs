@@ -3,7 +3,7 @@
 use crate::turning::contour::{Contour, Piece, Side};
 use crate::turning::length::Half;
 use crate::turning::point::{Point, Vector};
-use crate::turning::toolpath::{Move, Purpose, Toolpath};
+use crate::turning::toolpath::{Purpose, Toolpath};
 
 /// The clearances of the tool.
 #[derive(Clone, Copy, Debug)]
@@ -79,8 +79,7 @@ fn seen_outside(
     let most = |contour: &Contour| contour.radii().map_or(Half::ZERO, |(_, most)| most);
     let top = most(contour).max(most(standing));
     let seen = make_path(&contour.inside_out(top), &standing.inside_out(top), Some(top - nearest));
-    let moves = seen.pieces().map(|(piece, purpose)| Move::along(piece.inside_out(top), purpose));
-    Toolpath { from: seen.from.inside_out(top), moves: moves.collect() }
+    seen.inside_out(top)
 }
 
 /// The toolpath outside; `ceiling` is as near to the axis as the tool may come, for a bore seen inside out.

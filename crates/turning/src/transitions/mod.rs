@@ -44,7 +44,7 @@ use crate::units::{Degrees, MillimetresPerMinute, Roughness};
 
 use super::contour::Contour;
 use super::length::Half;
-use super::toolpath::{Move, Purpose, Toolpath};
+use super::toolpath::{Purpose, Toolpath};
 use super::workpiece;
 use check::Unsuited;
 use equidistant::Offset;
@@ -240,15 +240,6 @@ pub fn work(
     knowledge: &Knowledge,
 ) -> Tried<Transition, Unsuited> {
     PreparedZone::of(stock, tool, settings)?.transition(scheme, offset, knowledge)
-}
-
-/// A toolpath inside out: from a bore to an outer contour, or back.
-fn path_inside_out(path: &Toolpath, top: Half) -> Toolpath {
-    let moves = path.pieces().map(|(piece, purpose)| {
-        let piece = piece.inside_out(top);
-        Move::along(piece, purpose)
-    });
-    Toolpath { from: path.from.inside_out(top), moves: moves.collect() }
 }
 
 /// A finding if a scheme cannot leave the required roughness and finishing must follow: if the table

@@ -2,7 +2,7 @@
 
 use crate::turning::contour::{Contour, Curve, Piece, touching};
 use crate::turning::length::Half;
-use crate::turning::point::{Point, Vector};
+use crate::turning::point::Point;
 
 use super::narrow::is_narrow;
 
@@ -167,7 +167,7 @@ impl MonotoneContour {
                 break;
             }
             let whole = piece.length_mm();
-            let part = if whole <= left { piece } else { piece.between(piece.from, on_at(&piece, left)) };
+            let part = if whole <= left { piece } else { piece.between(piece.from, piece.at_length(left)) };
             left -= whole;
             if !part.is_nothing() {
                 path.push(part);
@@ -336,19 +336,4 @@ fn parted(piece: Piece, low: Half, high: Half) -> Vec<Piece> {
         }
     };
     cuts.iter().zip(cuts.iter().skip(1)).map(part).filter(|part| !part.is_nothing()).collect()
-}
-
-/// The point of a piece at a length from its beginning, mm.
-fn on_at(piece: &Piece, length: f64) -> Point {
-    match (piece.curve, piece.centre()) {
-        (Curve::Arc { radius, turn }, Some(centre)) => {
-            let sign = if turn == crate::turning::contour::Turn::Left { 1.0 } else { -1.0 };
-            let angle = sign * length / radius.to_mm().max(f64::MIN_POSITIVE);
-            let spoke = piece.from.vector().minus(centre);
-            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-            let turned = Vector::new(spoke.z * cos - spoke.radius * sin, spoke.z * sin + spoke.radius * cos);
-            Point::at(centre.plus(turned))
-        }
-        _ => piece.from.moved(piece.chord().unit().times(length)),
-    }
 }

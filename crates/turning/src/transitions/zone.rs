@@ -14,9 +14,7 @@ use super::in_process_stock::InProcessStock;
 use super::monotone::MonotoneContour;
 use super::split::Split;
 use super::{Scheme, Settings, Stock, Tool, Transition};
-use super::{
-    contour, descent, equidistant, looped, measures, path_inside_out, pick_up, semi_finishing, support_points, zigzag,
-};
+use super::{contour, descent, equidistant, looped, measures, pick_up, semi_finishing, support_points, zigzag};
 
 /// A zone prepared for work.
 #[derive(Clone, Debug)]
@@ -105,7 +103,7 @@ impl PreparedZone {
         let edge = (scheme == Scheme::Descent).then_some(self.settings.depth);
         let ridges_mm = builder.stock.ridge(self.rough.touching(self.worked.0, self.worked.1));
         let measures = measures::measure(&builder.path, self, &self.settings.feeds, builder.passes, edge);
-        let path = self.ceiling.map_or(builder.path.clone(), |top| path_inside_out(&builder.path, top));
+        let path = self.ceiling.map_or(builder.path.clone(), |top| builder.path.inside_out(top));
         Ok(Transition {
             scheme,
             points: support_points::points(&path, &builder.roles),
@@ -122,7 +120,7 @@ impl PreparedZone {
     /// deeper work.
     pub fn left(&self, transition: &Transition) -> Contour {
         let mut stock = self.whole.clone();
-        let path = self.ceiling.map_or(transition.path.clone(), |top| path_inside_out(&transition.path, top));
+        let path = self.ceiling.map_or(transition.path.clone(), |top| transition.path.inside_out(top));
         for (piece, purpose) in path.pieces() {
             measures::cut(&mut stock, &piece, purpose, transition.edge);
         }

@@ -2,7 +2,7 @@
 
 use crate::turning::contour::{Curve, Piece};
 use crate::turning::length::Half;
-use crate::turning::point::{Point, Vector};
+use crate::turning::point::Point;
 
 /// How far a chord may be from its arc, mm: the rounding of points.
 const SAGITTA: f64 = 0.0005;
@@ -24,10 +24,7 @@ pub(super) fn flat(piece: Piece) -> Vec<Point> {
         let chords = libm::ceil(swept.abs() / step).clamp(1.0, MOST_CHORDS);
         let mut index = 1.0;
         while index < chords {
-            let angle = swept * index / chords;
-            let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
-            let turned = Vector::new(first.z * cosine - first.radius * sine, first.z * sine + first.radius * cosine);
-            points.push(Point::at(centre.plus(turned)));
+            points.push(Point::at(centre.plus(first.turned(swept * index / chords))));
             index += 1.0;
         }
     }

@@ -108,7 +108,7 @@ forms! {
         pub roughing: Option<RoughingFile>,
         /// Where finishing allowances come from; from tables unless said. Not with `steps`, which are diameters after roughing.
         pub allowances: Option<AllowancesFile>,
-        /// How fast the tool moves; with `steps`, no times are told without it.
+        /// How fast the tool moves; with `steps`, time can be the objective only where it is given.
         pub rates: Option<RatesFile>,
     }
 

@@ -30,8 +30,8 @@ impl PlacedSteps {
         self.all.iter().map(step).collect()
     }
 
-    /// The diameter of each with its Z, up to the first that could not be read.
-    fn from_the_free_end(&self) -> impl Iterator<Item = (Micrometres, Micrometres, &Placed<Micrometres>)> {
+    /// Z of the beginning and end of each, and its diameter, up to the first that could not be read.
+    fn along_the_axis(&self) -> impl Iterator<Item = (Micrometres, Micrometres, &Placed<Micrometres>)> {
         let mut end = Micrometres::ZERO;
         self.all.iter().map_while(move |one| {
             let from = end;
@@ -103,7 +103,7 @@ impl Reader<'_> {
         length: Option<&Placed<Micrometres>>,
     ) {
         let (mut before, mut last) = (Micrometres::ZERO, Micrometres::ZERO);
-        for (number, (_, end, (diameter, place))) in (1..).zip(shape.from_the_free_end()) {
+        for (number, (_, end, (diameter, place))) in (1..).zip(shape.along_the_axis()) {
             if *diameter < before {
                 let code = "blank-step-rises-to-the-free-end";
                 self.fault::<()>(mistake!(code, step = number, diameter = diameter, before = before), place);
@@ -118,8 +118,8 @@ impl Reader<'_> {
 
     /// Compares every step of the part with the step of the blank where it begins, because the blank over it is thinnest there.
     pub(super) fn check_under_blank(&mut self, steps: &PlacedSteps, shape: &PlacedSteps) {
-        for (number, (from, _, (diameter, place))) in (1..).zip(steps.from_the_free_end()) {
-            let over = shape.from_the_free_end().find(|(_, end, _)| from < *end).map(|(_, _, (over, _))| *over);
+        for (number, (from, _, (diameter, place))) in (1..).zip(steps.along_the_axis()) {
+            let over = shape.along_the_axis().find(|(_, end, _)| from < *end).map(|(_, _, (over, _))| *over);
             self.beyond("step-beyond-blank", number, (*diameter, place), over);
         }
     }

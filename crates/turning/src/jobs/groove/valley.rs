@@ -60,14 +60,8 @@ const FOOT: f64 = 1.6;
 /// of another is clear of it.
 fn foot(wall: Piece, away: Turn) -> Piece {
     let far = FOOT.min(wall.length_mm());
-    match (wall.curve, wall.centre()) {
-        (Curve::Arc { radius, turn }, Some(centre)) if turn == away => {
-            let angle = far / radius.to_mm() * if turn == Turn::Left { 1.0 } else { -1.0 };
-            let spoke = wall.from.vector().minus(centre);
-            let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
-            let turned = Vector::new(spoke.z * cosine - spoke.radius * sine, spoke.z * sine + spoke.radius * cosine);
-            wall.between(wall.from, Point::at(centre.plus(turned)))
-        }
+    match wall.curve {
+        Curve::Arc { turn, .. } if turn == away => wall.between(wall.from, wall.at_length(far)),
         _ => Piece::line(wall.from, wall.from.moved(wall.direction_at_start().times(far))),
     }
 }
