@@ -419,7 +419,9 @@ fn a_holder_of_unknown_thickness_beside_a_clamp_is_as_wrong_in_the_plan_as_in_it
         planned(&read(&text), CuttingMethod::Formula)
     };
     let clamp = "outline: [[-75, -15], [-45, 15]], height: 60, screw: M10";
-    let given = format!("fixture: {{height: 60, clamps: [{{at: [-60, 0], {clamp}}}, {{at: [60, 0], height: 20, screw: M10}}]}}\n");
+    let given = format!(
+        "fixture: {{height: 60, clamps: [{{at: [-60, 0], {clamp}}}, {{at: [60, 0], height: 20, screw: M10}}]}}\n"
+    );
     let given = plate(&given, "length: 150, width: 100, thickness: 40", "[[-30, 0], [30, 0]]");
     assert_eq!(figures(&given, "holder-may-meet-clamp", &["tool"]).0, Severity::Wrong);
     let own = plate("", "length: 84, width: 97, thickness: 80", "[[-21, -19.4], [21, 19.4]]");
