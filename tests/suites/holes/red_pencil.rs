@@ -286,6 +286,51 @@ fn a_hole_that_nothing_makes_names_the_nearest_depth() {
     honest("steel-45", "22", "thread: M10-6H, depth: 15, centre_tolerance: 0.3");
 }
 
+/// What a refusal names is really made: asked for as named, the hole has a plan without errors. The quill goes 260 mm and lacked 4.6
+/// for the thickness once named; a grade was named beside a flat floor that no mill reaches; and in a part too high for the machine a
+/// depth.
+#[test]
+fn the_nearest_that_is_named_is_planned_as_named() {
+    let holes = [
+        ("12Х18Н10Т", "40H7", 200, 200, "through: true, roughness: Ra 0.8"),
+        ("aluminium-d16", "14H6", 57, 42, "through: false, bottom: flat, roughness: Ra 1.6"),
+        ("steel-45", "12H7", 170, 145, "through: false, roughness: Ra 1.6"),
+        ("steel-45", "8H7", 60, 45, "through: false, bottom: flat, roughness: Ra 1.6"),
+    ];
+    let part = |material: &str, diameter: &str, thickness: &str, depth: &str, keys: &str| {
+        let text = format!(
+            "part: P\nmaterial: {material}\nmachine: gf2171\nfixture: {{own: plate, height: 60}}\n\
+             blank: {{kind: plate, length: 150, width: 120, thickness: {thickness}}}\nholes:\n  \
+             - {{name: A, diameter: {diameter}, depth: {depth}, {keys}, centre_tolerance: 0.3, at: [[0, 0]]}}\n"
+        );
+        planned(&read(&text), CuttingMethod::Formula)
+    };
+    let mut named = 0;
+    for (material, diameter, thickness, depth, keys) in holes {
+        let (thickness, depth) = (thickness.to_string(), depth.to_string());
+        let refused = part(material, diameter, &thickness, &depth, keys);
+        for finding in &refused.findings {
+            let figure = |name: &str| finding.note.figure_text(name).unwrap();
+            let again = match finding.note.code() {
+                "nearest-depth" => part(material, diameter, &thickness, &figure("depth"), keys),
+                "nearest-thickness" => part(material, diameter, &figure("depth"), &figure("depth"), keys),
+                "nearest-grade" => {
+                    let size = diameter.split_once('H').unwrap().0;
+                    let (coarser, old) =
+                        (format!("{size}H{}", figure("it")), keys.split("roughness: ").last().unwrap());
+                    let keys = keys.replace(old, &figure("roughness"));
+                    part(material, &coarser, &thickness, &depth, &keys)
+                }
+                _ => continue,
+            };
+            named += 1;
+            let wrong = again.findings.iter().filter(|one| one.severity == technolog::note::Severity::Error);
+            assert_eq!(wrong.count(), 0, "{material} {diameter} {keys}: {:?}: {:?}", finding.note, again.findings);
+        }
+    }
+    assert!(named >= 2, "{named}");
+}
+
 /// A reamer is ordered by its size and its field: 20F8 (20.020 to 20.053) is made by one for H9, and by no finer one.
 #[test]
 fn the_tool_list_says_for_which_field_a_reamer_is_bought() {

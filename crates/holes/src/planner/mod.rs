@@ -254,6 +254,10 @@ fn draft(
                 let note = Note::new("ends-above-floor").with("left", left).with("diameter", cylinder);
                 report(severity, note.with("depth", depth));
             }
+            Remark::LeadUnknown { lead, room } => {
+                let note = Note::new("reamer-lead-unknown").with("depth", step.place.depth).with("lead", lead);
+                report(Severity::Doubtful, note.with("room", room));
+            }
             Remark::BoughtFor { nominal, it } => {
                 let note = Note::new("bought-for").with("operation", Figure::operation(step.operation.name()));
                 let note = note.with("nominal", nominal).with("it", it).with("size", step.diameter);

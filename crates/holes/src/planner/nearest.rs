@@ -3,7 +3,7 @@
 
 use crate::error::{KnowledgeError, Refusal};
 use crate::machine::Machine;
-use crate::note::{Figure, Note};
+use crate::note::{Figure, Note, Severity};
 use crate::part::{Hole, Part, ToleratedDiameter, tolerance_width};
 use crate::plan::{Operation, Preference};
 use crate::reason::Reason;
@@ -13,7 +13,7 @@ use crate::tooling::{self, DrillSize};
 use crate::units::{ItGrade, Micrometres, Microns, Roughness};
 
 use super::fit::Fitting;
-use super::options::{self, Choice};
+use super::options::{self, Choice, Options};
 
 /// What a millimetre is.
 const MM: i64 = 1000;
@@ -66,7 +66,8 @@ pub(super) fn machine(
         let whole = |choice: &Choice| {
             choice.meets_requirements() && !choice.steps.iter().any(|fitted| taps_elsewhere(&fitted.step))
         };
-        if found.is_ok_and(|found| found.choices.iter().any(whole) && found.impossible.is_empty()) {
+        let made = found.is_ok_and(|found| found.choices.iter().any(whole) && found.impossible.is_empty());
+        if made && is_planned(hole, &part, preference, &shop)? {
             return Ok(Some(Note::new("nearest-machine").with("machine", Figure::word_of("machine", id.to_owned()))));
         }
     }
@@ -140,8 +141,7 @@ fn grade(
         let Ok(width) = tolerance_width(it, hole.diameter.nominal, shop.knowledge) else { continue };
         let diameter = ToleratedDiameter { upper: hole.diameter.lower + width, it, ..hole.diameter.clone() };
         let coarser = Hole { diameter, roughness, ..hole.clone() };
-        let found = Refusal::split(options::options(&coarser, part, preference, drills, shop))?;
-        if found.is_ok_and(|found| found.choices.iter().any(Choice::meets_requirements)) {
+        if is_made(&coarser, part, preference, drills, shop)? {
             return Ok(Some(Note::new("nearest-grade").with("it", it).with("roughness", roughness)));
         }
     }
@@ -169,8 +169,7 @@ fn depth(
         if depth <= opening {
             return Ok(false);
         }
-        let found = Refusal::split(options::options(&hole, &part, preference, drills, shop))?;
-        Ok(found.is_ok_and(|found| found.choices.iter().any(Choice::meets_requirements) && found.impossible.is_empty()))
+        is_made(&hole, &part, preference, drills, shop)
     };
     let mut fails = (hole.depth.micrometres() + MM - 1) / MM;
     let mut makes = None;
@@ -197,6 +196,31 @@ fn depth(
     let code = if hole.through { "nearest-thickness" } else { "nearest-depth" };
     let wanted = Note::new(code).with("depth", Micrometres::new(makes * MM));
     Ok(Some(wanted.with("asked", hole.depth)))
+}
+
+/// Whether a hole is made as asked, alone in its part: some route makes it, and nothing is wrong with the plan of it, as a machine
+/// that has no room for its tools. What holds the part is not asked: clamps of the file are for its own holes.
+fn is_made(
+    hole: &Hole,
+    part: &Part,
+    preference: Preference,
+    drills: (&[Micrometres], &[DrillSize]),
+    shop: &Shop<'_>,
+) -> Result<bool, KnowledgeError> {
+    let found = Refusal::split(options::options(hole, part, preference, drills, shop))?;
+    let made = |found: &Options| found.choices.iter().any(Choice::meets_requirements) && found.impossible.is_empty();
+    if !found.is_ok_and(|found| made(&found)) {
+        return Ok(false);
+    }
+    is_planned(hole, part, preference, shop)
+}
+
+/// Whether nothing is wrong with the plan of a hole alone in its part.
+fn is_planned(hole: &Hole, part: &Part, preference: Preference, shop: &Shop<'_>) -> Result<bool, KnowledgeError> {
+    let mut alone = Part { holes: vec![hole.clone()], ..part.clone() };
+    alone.fixture.clamps.clear();
+    let plan = super::plan_by(&alone, shop.method, preference, shop.knowledge)?;
+    Ok(plan.findings.iter().all(|finding| finding.severity != Severity::Error))
 }
 
 /// That many quarters of a depth, in whole millimetres.

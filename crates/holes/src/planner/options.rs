@@ -343,8 +343,12 @@ fn options_as_drawn(
     };
     for (edge, step) in task.edges.iter().zip(&finder.edges) {
         if let (Err(why), true) = (step, Some(*edge) != finder.centred_edge) {
-            let list = if edge.required { &mut options.impossible } else { &mut options.remarks };
-            list.push(why.note());
+            // The chamfer of a thread is not in the drawing: a tap begins without it all the same.
+            if edge.required {
+                options.impossible.push(why.note());
+            } else {
+                options.remarks.push(Note::new("thread-without-chamfer").with("why", why.note()));
+            }
         }
     }
     finder.try_all_sources(kind, &mut options)?;

@@ -128,6 +128,14 @@ pub enum Remark {
     FinishedElsewhere(ToleratedDiameter),
     /// A reamer or boring bar ends above a flat floor by that length.
     EndsAboveFloor(Micrometres),
+    /// A reamer in a blind hole goes deeper than its cylinder by the lead that its stock asks, and has that room below its tip: how
+    /// long its own lead is no table says.
+    LeadUnknown {
+        /// The lead by the stock.
+        lead: Micrometres,
+        /// The room below.
+        room: Micrometres,
+    },
     /// A reamer or core drill that is bought makes a field that begins above the nominal size, but only one for that field H.
     BoughtFor {
         /// Its size.

@@ -102,9 +102,13 @@ impl Fitting<'_, '_> {
         let before = |step: &&RouteStep| step.operation != Operation::CentreDrill;
         let deepest = steps[..first].iter().filter(before).map(|step| step.place.depth + room + self.lead(step)).max();
         let below = self.thickness - deepest.unwrap_or(self.thickness);
-        let room = room + self.reamer_chip_room.min(below.half()).max(Micrometres::ZERO);
+        let chips = self.reamer_chip_room.min(below.half()).max(Micrometres::ZERO);
         for step in steps[..first].iter_mut().filter(|step| step.operation != Operation::CentreDrill) {
-            step.place.depth = step.place.depth + room;
+            step.place.depth = step.place.depth + room + chips;
+        }
+        if let Some(last) = steps.iter_mut().rfind(|step| reams(step)) {
+            let lead = self.lead(last);
+            last.remarks.push(Remark::LeadUnknown { lead, room: room + chips - lead });
         }
     }
 
