@@ -86,6 +86,7 @@ fn a_narrow_ring_is_held_in_a_chuck() {
     assert!((chuck.force_n.0 - needed).abs() < 5.0, "{} for {needed}", chuck.force_n.0);
     let fixture = plan.setup.fixture.as_ref().unwrap();
     assert_eq!((fixture.held, fixture.keying), (HeldBy::Chuck, None));
+    assert_eq!(told(&plan, "chuck-squeezes-ring"), Some(Severity::Doubtful), "a wall of 30 mm gives way unreckoned");
 }
 
 /// Ø10 at 45 mm: the hole reaches from 40 to 50 mm, over the steps under the ring, which end 36 mm from the axis. A jaw 22 mm wide

@@ -62,13 +62,25 @@ fn discs() -> impl Strategy<Value = String> {
         0_i64..=15,
         prop::bool::ANY,
     );
-    let bore = prop::sample::select(vec!["", "bore: 70, "]);
-    (prop::collection::vec(hole, 1..=4), 12_i64..=60, bore).prop_map(|(holes, thickness, bore)| {
+    let blank = prop::sample::select(vec![
+        "diameter: 300",
+        "diameter: 300, bore: 70",
+        "diameter: 300, held",
+        "diameter: 190, held",
+        "diameter: 150, bore: 50",
+        "diameter: 105, held",
+    ]);
+    (prop::collection::vec(hole, 1..=4), 12_i64..=60, blank).prop_map(|(holes, thickness, blank)| {
+        let asked = if blank.ends_with("held") { "fixture: {holding: chuck}\n" } else { "" };
+        let blank = blank.trim_end_matches(", held");
         let mut text = format!(
-            "part: P\nmaterial: steel-45\nmachine: gf2171\n\
-             blank: {{kind: disc, diameter: 300, {bore}thickness: {thickness}}}\nholes:\n"
+            "part: P\nmaterial: steel-45\nmachine: gf2171\n{asked}\
+             blank: {{kind: disc, {blank}, thickness: {thickness}}}\nholes:\n"
         );
+        let outer: i64 = blank[10..13].parse().unwrap();
         for (number, (diameter, radius, place, blind)) in holes.into_iter().enumerate() {
+            // 60, 95 and 120 mm of a disc of 300 mm.
+            let radius = radius * outer / 300;
             let depth = if blind { format!("depth: {}", thickness / 2) } else { "through: true".to_owned() };
             let angle = place as f64 * 22.5;
             text.push_str(&format!(
@@ -118,6 +130,37 @@ fn standing(plan: &Plan, part: &Part) -> Vec<Standing> {
         all.push((low, high, height));
     }
     all
+}
+
+/// What of a chuck the tip of a tool of that radius meets there, with Z from the face: the wall of a jaw beside the part, a step under
+/// it, or its body. The depths of the steps are half the differences of the least diameters that two walls hold, by the pages of `chucks`.
+fn in_chuck(plan: &Plan, at: [f64; 2], z: f64, radius: f64) -> Option<&'static str> {
+    let chuck = plan.setup.chuck.as_ref()?;
+    let (part, wall) = (&plan.part, mm(chuck.grip_mm));
+    let (rim, thickness) = (mm(part.blank.length) / 2.0, mm(part.blank.thickness));
+    let ledge = match mm(chuck.diameter_mm).round() as i64 {
+        160 => (98.0 - 50.0) / 2.0,
+        200 => (130.0 - 60.0) / 2.0,
+        _ => (190.0 - 90.0) / 2.0,
+    };
+    if z < -thickness - mm(chuck.room_mm) + GRID_MM && at[0].hypot(at[1]) < mm(chuck.diameter_mm) / 2.0 + radius {
+        return Some("body");
+    }
+    [0.0, 120.0, 240.0].into_iter().find_map(|more| {
+        let angle = (f64::from(chuck.jaw_deg) + more).to_radians();
+        let (along, aside) = (at[0] * angle.cos() + at[1] * angle.sin(), at[1] * angle.cos() - at[0] * angle.sin());
+        let meets = |from: f64, to: f64, top: f64| {
+            let away =
+                (from - along).max(along - to).max(0.0).hypot((aside.abs() - mm(chuck.jaw_width_mm) / 2.0).max(0.0));
+            z < top - GRID_MM && away < radius - GRID_MM
+        };
+        if meets(rim, rim.max(mm(chuck.diameter_mm) / 2.0), -mm(chuck.below_face_mm)) {
+            return Some("wall");
+        }
+        let steps = (0..i32::try_from(chuck.step).unwrap()).map(f64::from);
+        let mut under = steps.map(|step| (rim - (step + 1.0) * ledge, rim - step * ledge, -thickness - step * wall));
+        under.any(|(from, to, top)| meets(from.max(0.0), to, top)).then_some("step")
+    })
 }
 
 /// How far a point is from a box, seen from above.
@@ -190,6 +233,11 @@ fn holds(bench: &ProofBench) -> Result<(), TestCaseError> {
                         prop_assert!(!through, "{control}: T{place} at {tip:?} Z{z}: {one:?}\n{text}");
                     }
                     prop_assert!(z > floor - GRID_MM, "{control}: T{place} at {tip:?} Z{z} in the fixture, {floor}");
+                    let chuck = in_chuck(plan, tip, z, radius);
+                    prop_assert!(
+                        chuck.is_none(),
+                        "{control}: T{place} at {tip:?} Z{z} in the chuck, {chuck:?}\n{text}"
+                    );
                     if z < -GRID_MM {
                         let cuts = part.holes.iter().any(|hole| {
                             // A drill of 90° wider than the hole centres it.

@@ -42,6 +42,11 @@ pub(super) fn held(mut plan: Plan, shop: &Shop<'_>) -> Result<(Plan, Vec<Finding
         plan = cleared;
         findings.extend(finding);
     }
+    // How far a ring gives way between three jaws, and its holes with it when they let go, is not reckoned.
+    if let (Some(chuck), Some(bore)) = (&plan.setup.chuck, plan.part.blank.bore) {
+        let note = Note::new("chuck-squeezes-ring").with("wall", (plan.part.blank.length - bore).half());
+        findings.push(Finding::of_part(Severity::Doubtful, note.with("force", chuck.force_n.0)));
+    }
     Ok((plan, findings))
 }
 

@@ -44,6 +44,7 @@ chuck-no-room-below = { $chuck }, step { $step }: a tool comes out { $below } mm
 chuck-jaws-below = { $chuck }, step { $step }: wherever its jaws, { $width } mm wide, are turned, a tool that comes out below the part meets one
 chuck-too-heavy = { $chuck } ({ $own } kg) with the part ({ $mass } kg) is heavier than the { $limit } kg that the table bears
 chuck-too-weak = { $chuck }, step { $step }: for { $hole } { $force } N are needed > { $gives } N that it gives
+chuck-squeezes-ring = the jaws press { $force } N on a ring with a wall of { $wall } mm: how far it gives way, and its holes move when they let go, is not reckoned: press no harder than is needed, or take soft jaws bored to the ring
 ring-too-narrow = the ring is { $width } mm wide < { $least } mm of the foot of a strap
 vice-too-weak = { $vice }: { $force } N are needed > { $gives } N that it gives
 vice-no-grip = { $vice }: of a part { $thickness } mm thick the jaws of { $jaws } mm may grip { $most } mm at most, { $below_face } mm below its face, and must grip { $least } mm at least; parallels of { $parallels } mm or more under it (a tool comes out { $below } mm below) do not leave that
