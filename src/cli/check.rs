@@ -77,6 +77,16 @@ pub const FORMATS: &[Format] = &[Format::Text, Format::Json, Format::Svg, Format
 /// The faults of a program that is written for another control.
 const OF_ANOTHER_LANGUAGE: [&str; 3] = ["unknown-character", "unknown-address", "unknown-function"];
 
+/// Doubts of a program by itself that are none with a part: its proof knows where metal is and which holes go through.
+const SETTLED_BY_PART: [&str; 6] = [
+    "tap-beyond-hole-maybe",
+    "widens-beyond-hole-maybe",
+    "hole-made-later-maybe",
+    "tap-hole-wide",
+    "rapid-below-zero",
+    "rapid-under-begin-maybe",
+];
+
 /// Checks a program.
 ///
 /// # Errors
@@ -124,7 +134,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
         planned.set(&mut setting);
     }
     let mut sink = (Vec::<MotionStep>::new(), Clock::new(machine, setting.start));
-    let faults = language.check(&text, machine, &setting, &mut sink);
+    let mut faults = language.check(&text, machine, &setting, &mut sink);
     let (steps, clock) = sink;
     if faults.iter().any(Fault::is_error) {
         kind::refuse_other(&shown, &text, FileKind::Program, context)?;
@@ -132,6 +142,9 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
     }
     // Nothing is known of a program that is not run: that it makes no hole follows from its mistakes.
     let is_run = is_run(&faults, &steps);
+    if planned.is_some() && is_run {
+        faults.retain(|fault| !SETTLED_BY_PART.contains(&fault.code));
+    }
     let proof = planned.as_ref().filter(|_| is_run).map(|planned| planned.prove(&steps, &setting));
     let serious = planned.as_ref().map(PlannedJob::serious).unwrap_or_default();
     let undone = planned.as_ref().map(PlannedJob::undone).unwrap_or_default();

@@ -468,7 +468,7 @@ fn a_tap_under_a_feed_switch_at_nothing_has_no_pitch() {
 fn what_a_proof_says_better_is_marked() {
     for (folder, marked) in [
         ("bad-of-tool-before", vec!["feed-of-tool-before", "speed-of-tool-before"]),
-        ("bad-tool-not-brought", vec![]),
+        ("bad-tool-not-brought", vec!["hole-again"]),
         ("bad-only-register", vec!["offset-of-strange-number"]),
     ] {
         let text = fs::read_to_string(root().join("tests/programs-fanuc").join(folder).join("program.nc")).unwrap();

@@ -8,6 +8,31 @@ use std::rc::Rc;
 
 use super::TextSpan;
 
+/// Who has used an F or an S since it was given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum User {
+    /// No tool.
+    Nobody,
+    /// The tool in the spindle.
+    ToolInSpindle,
+    /// Only a tool before it.
+    ToolBefore,
+}
+
+impl User {
+    /// The tool in the spindle uses it: whether it was that of the tool before.
+    pub fn uses(&mut self) -> bool {
+        std::mem::replace(self, Self::ToolInSpindle) == Self::ToolBefore
+    }
+
+    /// Another tool comes.
+    pub fn changes(&mut self) {
+        if *self == Self::ToolInSpindle {
+            *self = Self::ToolBefore;
+        }
+    }
+}
+
 /// The tool in the spindle, and the one of T.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Named {

@@ -88,7 +88,7 @@ impl Walls {
             }
             Motion::Rapid => {
                 if z < before {
-                    self.into_floor(to, z, step.block, seen, &milled);
+                    self.meets_floor(to, z, step.block, seen, &milled);
                 }
                 self.down = if z < -BELOW { self.down.or(Some(to)) } else { None };
             }
@@ -195,7 +195,7 @@ impl Walls {
     }
 
     /// A rapid down deeper than the floor of a hole milled by a circle.
-    fn into_floor(&mut self, at: Point, z: f64, block: BlockRef, seen: Seen, milled: &impl Fn(Point, f64) -> bool) {
+    fn meets_floor(&mut self, at: Point, z: f64, block: BlockRef, seen: Seen, milled: &impl Fn(Point, f64) -> bool) {
         let around =
             |hole: &&Hole| hole.system == seen.system && hole.round && apart(at, hole.centre) < hole.inside + NEAR;
         let bottom = self.holes.iter().filter(around).map(|hole| hole.bottom).reduce(f64::min);

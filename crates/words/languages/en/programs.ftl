@@ -122,6 +122,10 @@ limit-not-checked = { $why ->
         [machine] name it with --machine
        *[zeros] give `zeros` and `correctors` in the file of --setting
     }
+change-by-zero = the tool is changed where Z stands by the zero of the operator, and the place for it is one of the machine
+    .help = bring Z to its place before M06
+both-length-signs = G43 and G44 in one program: the registers of the tools count in one direction
+    .help = look whether both are meant
 change-turning-maybe = M6 while the spindle turns: whether M6 stops it is a matter of the machine's builder; put M5 before it
     .help = look it up, or write M5 before every M6
 distances-left-over = G91 of the return still acts: these positions are taken as distances

@@ -18,7 +18,7 @@ use super::words::{BlockWords, Function, WordValue, letter};
 use crate::machine::Machine;
 use crate::motion::{Axis, BlockRef, Motion, MotionStep, Position, Side, Turning};
 use crate::note::{Figure, IntoFigure, Note};
-use crate::program::brought::{Named, Open};
+use crate::program::brought::{Named, Open, User};
 use crate::program::limits::{NOT_CHECKED, Spans, not_checked, of_machine, speed_off_steps};
 use crate::program::running::Watched;
 use crate::program::stay::Stay;
@@ -172,11 +172,13 @@ impl Maker<'_> {
             self.report("feed-beyond-machine", feed.span, &[("limit", limit.into_figure())]);
         }
         self.state.feed = feed.thousandths;
+        self.state.feed_user = User::Nobody;
     }
 
     fn take_speed(&mut self, speed: WordValue) {
         let value = speed.number();
         self.state.speed = value;
+        self.state.speed_user = User::Nobody;
         if let Some((code, note)) = speed_off_steps(self.machine, value as f64) {
             self.tell_note(code, speed.span, note);
         }
@@ -188,6 +190,9 @@ impl Maker<'_> {
     /// The spindle from this block on, its speed by S and the operator's switch (3.13.1).
     pub(super) fn spindle(&mut self, turning: Turning) {
         self.state.turning = turning;
+        if turning != Turning::Stopped && self.state.speed_user == User::Nobody {
+            self.state.speed_user = User::ToolInSpindle;
+        }
         let speed = self.state.speed as f64 * self.setting.speed_override as f64 / 100.0;
         self.push(Motion::Spindle { turning, speed_rpm: RevsPerMinute(speed) });
     }
@@ -231,6 +236,8 @@ impl Maker<'_> {
             Action::SpindleClockwise | Action::SpindleCounterclockwise => {
                 if self.state.speed == 0 {
                     self.fault("spindle-without-speed", function.span);
+                } else if self.state.speed_user.uses() {
+                    self.program_alone("speed-of-tool-before", function.span);
                 }
                 let clockwise = action == Action::SpindleClockwise;
                 self.spindle(if clockwise { Turning::Clockwise } else { Turning::Counterclockwise });
@@ -285,10 +292,17 @@ impl Maker<'_> {
         } else if self.state.changed_on_machine && floating.is_some() {
             // The program shows by its other changes where they must be.
             self.program_alone("change-not-withdrawn", function.span);
+        } else if self.state.height_known && floating.is_some() {
+            self.program_alone("change-by-zero", function.span);
         }
         self.state.changed_on_machine |= floating.is_none() && self.state.height_known;
         self.state.stay = Stay::comes(actual, floating);
         self.state.height_known = true;
+        // The tool that stands in the spindle already keeps its own.
+        if self.state.wanted != self.state.tool {
+            self.state.feed_user.changes();
+            self.state.speed_user.changes();
+        }
         self.state.tool = self.state.wanted;
         self.state.registers.brings(self.state.wanted);
         self.push(Motion::ToolChange { tool: self.state.tool });
@@ -360,6 +374,14 @@ impl Maker<'_> {
             return;
         }
         self.state.length_in_force = corrector;
+        if let Some(sign) = [43, 44].iter().position(|code| *code == self.state.groups[LENGTH] && corrector > 0) {
+            // By one of them the registers were measured.
+            let other = self.state.lengths[1 - sign];
+            if other && !std::mem::replace(&mut self.state.lengths[sign], true) {
+                self.program_alone("both-length-signs", span);
+            }
+            self.state.lengths[sign] = true;
+        }
         let named = Named { tool: self.state.tool, wanted: self.state.wanted };
         if self.state.registers.takes(corrector, named, span, self.block.number) {
             self.report("tool-not-brought", span, &[("tool", named.wanted.into_figure())]);
@@ -447,6 +469,9 @@ impl Maker<'_> {
     pub(super) fn feed_of(&mut self, thousandths: i64, span: TextSpan) -> MillimetresPerMinute {
         if self.state.turning == Turning::Stopped {
             self.fault("feed-without-spindle", span);
+        }
+        if self.state.feed_user.uses() {
+            self.program_alone("feed-of-tool-before", span);
         }
         let feed = thousandths as f64 * self.setting.feed_override as f64 / 100_000.0;
         if feed <= 0.0 {

@@ -4,7 +4,7 @@ use super::control::{Control, GROUPS};
 use super::correction::Compensator;
 use crate::motion::{Axis, Position, Turning};
 use crate::program::Setting;
-use crate::program::brought::Registers;
+use crate::program::brought::{Registers, User};
 use crate::program::limits::Floating;
 use crate::program::setting::Before;
 use crate::program::stay::Stay;
@@ -33,6 +33,11 @@ pub(super) struct ControlState {
     pub feed: i64,
     /// S, 1/min.
     pub speed: i64,
+    /// Whose F and S are.
+    pub feed_user: User,
+    pub speed_user: User,
+    /// The functions of length that have acted with a register: G43, G44.
+    pub lengths: [bool; 2],
     /// The spindle.
     pub turning: Turning,
     /// T: the tool that the next M06 brings.
@@ -82,6 +87,9 @@ impl ControlState {
             height_known: setting.before == Before::PoweredOn,
             feed: 0,
             speed: 0,
+            feed_user: User::Nobody,
+            speed_user: User::Nobody,
+            lengths: [false; 2],
             turning: Turning::Stopped,
             wanted: 0,
             registers: Registers::default(),

@@ -10,6 +10,7 @@ use crate::motion::{Axis, Plane, Position, Turning};
 use crate::program::Setting;
 use crate::program::TextSpan;
 use crate::program::brought::Registers;
+pub(super) use crate::program::brought::User;
 use crate::program::limits::Floating;
 use crate::program::setting::Before;
 use crate::program::stay::Stay;
@@ -17,31 +18,6 @@ use crate::units::Micrometres;
 
 /// The function in force in every group.
 pub(super) type Modes = [Option<i64>; Group::NAMES.len()];
-
-/// Who has used an F or an S since it was given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum User {
-    /// No tool.
-    Nobody,
-    /// The tool in the spindle.
-    ToolInSpindle,
-    /// Only a tool before it.
-    ToolBefore,
-}
-
-impl User {
-    /// The tool in the spindle uses it: whether it was that of the tool before.
-    pub(super) fn uses(&mut self) -> bool {
-        std::mem::replace(self, Self::ToolInSpindle) == Self::ToolBefore
-    }
-
-    /// Another tool comes.
-    pub(super) fn changes(&mut self) {
-        if *self == Self::ToolInSpindle {
-            *self = Self::ToolBefore;
-        }
-    }
-}
 
 /// The state of the control. Copied before every block, and kept only if the block has no error.
 #[derive(Clone, Debug)]
