@@ -143,6 +143,32 @@ fn faults_not_found(case: &Case) -> Vec<String> {
     wrong
 }
 
+/// A sum of so many wrong figures that not every mixture of stated and right ones is tried: 3^8 of three values each are more than 4096.
+#[test]
+fn what_is_not_tried_is_said() {
+    let untried = |rows: u32| {
+        let of = |row: fn(u32) -> String| (1..=rows).map(row).collect::<String>();
+        let hole = |at: u32| {
+            let x = 40 * i64::from(at) - 200;
+            format!(
+                "    - {{name: H{at}, diameter: 10H12, through: true, roughness: Ra 12.5, centre_tolerance: 0.4, at: [[{x}, 0]]}}\n"
+            )
+        };
+        let row =
+            |at: u32| format!("  - {{row: {at}, operation: drill, hole: H{at}, count: 1, diameter: 10, depth: 40}}\n");
+        let conditions = |at: u32| {
+            format!("  - {{for: {at}, depth_of_cut: 5, rpm: 800, minute_feed: 160, travel: {}, time: 0.5}}\n", 48 + at)
+        };
+        let plate = "{kind: plate, length: 500, width: 100, thickness: 40}";
+        let part =
+            format!("  part: P\n  material: steel-45\n  machine: gf2171\n  blank: {plate}\n  holes:\n{}", of(hole));
+        let (rows, conditions) = (of(row), of(conditions));
+        let text = format!("part:\n{part}route:\n{rows}conditions:\n{conditions}times: {{machine: 99}}\n");
+        audited(&text).findings.iter().filter(|one| one.rule == "audit-untried").count()
+    };
+    assert_eq!([untried(3), untried(8)], [0, 1]);
+}
+
 /// Whether the way out is named, and what is missing for a check is said once.
 #[test]
 fn the_zone_says_what_would_work_and_what_it_does_not_know() {

@@ -41,19 +41,19 @@ pub(super) fn made(
     let nearest = points.iter().copied().map(apart).fold(f64::INFINITY, f64::min);
     let reach = points.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
     let side = libm::ceil((reach + 50.0) * 2.0);
-    let made = |(number, (sections, own)): (usize, (&&BTreeSet<usize>, &Vec<([Micrometres; 2], Micrometres)>))| {
+    let mut holes = Vec::new();
+    for (number, (sections, own)) in (1_u32..).zip(&groups) {
         let of = seen.iter().filter(|cut| sections.contains(&cut.section));
         let size = of.filter_map(|cut| told.of(cut.tool)?.diameter).fold(0.0, f64::max);
         let size = if size > 0.0 { size } else { untold.to_mm() }.min(nearest * 0.9);
         let deepest = own.iter().map(|(_, deepest)| deepest.to_mm()).fold(0.0, f64::min);
-        MadeHole {
+        holes.push(MadeHole {
             name: number.to_string(),
             diameter: format!("{size}H14"),
             depth: (-deepest).max(1.0),
             at: own.iter().map(|(at, _)| at.map(Micrometres::to_mm)).collect(),
-        }
-    };
-    let holes: Vec<MadeHole> = (1..).zip(&groups).map(made).collect();
+        });
+    }
     let deepest = tools.values().map(|(_, deepest)| -deepest.to_mm()).fold(10.0, f64::max);
     let place = Place { file: file.into(), line: 1, column: 1, width: 1 };
     let node = made::part(file, &holes, [side, side, libm::ceil(deepest + 20.0)], |_| None, &place);
