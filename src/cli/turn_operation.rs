@@ -83,11 +83,16 @@ fn norm(
     let all = |time: fn(&Times) -> Minutes| times.iter().map(time).sum::<Minutes>();
     let because = Some(loading(knowledge)?);
     let each = times.first().map_or(Minutes(0.0), |times| times.load_min);
+    // Nobody has a time for jaws that are loosened or tightened at a stop: that of clamping holds it.
+    let grips = operation.set_ups.iter().filter_map(|one| Some(one.grip.as_ref()?.regrips(&one.jobs).len()));
+    let regrips = NormItem { key: "norm-regrip", count: grips.sum(), each, because: because.clone() };
+    let mut loading = vec![NormItem { key: "norm-loading", count: times.len(), each, because }];
+    loading.extend(Some(regrips).filter(|one| one.count > 0));
     let work = NormedWork {
         cutting: all(|times| times.cutting_min).rounded(2),
         machine: all(|times| times.rapid_min + times.tool_change_min + times.spindle_start_min),
         hands: Minutes(0.0),
-        loading: vec![NormItem { key: "norm-loading", count: times.len(), each, because }],
+        loading,
         gauges: gauges(operation),
         settings: 1 + held_otherwise(operation),
         soft_jaws: operation.set_ups.iter().filter(|one| one.jaws.is_some_and(|jaws| jaws.soft)).count(),

@@ -37,6 +37,7 @@ vocabulary! {
     pub enum WorkholdingFigure {
         ChuckDiameterShare = "chuck-diameter-share",
         JawShare = "jaw-share",
+        JawGripShare = "jaw-grip-share",
         CentreAngle = "centre-angle",
         CentreBody = "centre-body",
         CentreClearance = "centre-clearance",

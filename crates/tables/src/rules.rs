@@ -103,6 +103,13 @@ rows! {
         coolant: bool,
     }
 
+    /// How much deeper than its feed a pass may be, so that its chips break.
+    pub struct TurningChipWidth of One("turning-chip-width") asked by TurningChipWidthFor<'t> {
+        material_group: &'t str,
+    } {
+        ratio: f64,
+    }
+
     /// Depth corrections beyond the handbook's table.
     pub struct DepthBeyond of One("depth-beyond") asked by DepthBeyondFor<'t> {
         of_table: &'t str,

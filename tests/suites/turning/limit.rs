@@ -156,8 +156,8 @@ fn short_of_power_the_spindle_turns_slower() {
     near(found.main_force_n.unwrap().0, 4613.0, 0.003);
     near(found.power_kw.unwrap().0, 7.85, 0.003);
     assert!(found.exceeded.is_empty(), "{:?}", found.exceeded);
-    // 9 mm are more than the edge of the insert takes, and no speed helps.
-    assert_eq!(conditions(&cut, mm(9.0), None).unwrap().exceeded, [Bound::InsertEdge]);
+    // 9 mm are more than the edge of the insert takes, and no speed helps; at 0.4 mm/rev chips break up to 20·0.4 = 8 mm.
+    assert_eq!(conditions(&cut, mm(9.0), None).unwrap().exceeded, [Bound::InsertEdge, Bound::ChipWidth]);
 }
 
 /// On a stepless spindle the power is used to the last tenth of a revolution: 11·0.75 = 8.25 kW.
@@ -546,7 +546,7 @@ proptest! {
         prop_assert!(bound(&limit, limit.decided_by).depth_mm == limit.depth_mm);
     }
 
-    /// A larger feed allows no deeper cut, at a given spindle speed.
+    /// A larger feed allows no deeper cut, at a given spindle speed; but where chips would not break, it is what a deeper one asks for.
     #[test]
     fn the_limit_falls_with_the_feed(
         lathe in 0..LATHES.len(), tool in 0..TOOLS.len(), material in 0..MATERIALS.len(),
@@ -556,9 +556,10 @@ proptest! {
         let case = Case::new(knowledge, LATHES[lathe], TOOLS[tool], MATERIALS[material]);
         let cut = case.cut(diameter, Direction::Longitudinal);
         let limit = |feed: f64| {
-            limiting_depth(&cut, MillimetresPerRev(feed), Speed::Spindle(RevsPerMinute(rpm))).unwrap().depth_mm
+            limiting_depth(&cut, MillimetresPerRev(feed), Speed::Spindle(RevsPerMinute(rpm))).unwrap()
         };
-        prop_assert!(limit(feed * more) <= limit(feed));
+        let (larger, own) = (limit(feed * more), limit(feed));
+        prop_assert!(own.decided_by == Bound::ChipWidth || larger.depth_mm <= own.depth_mm);
     }
 
     /// Every depth up to the limiting one holds too, and conditions at it pass no bound at that speed or a slower one

@@ -263,6 +263,36 @@ fn what_is_unsafe_is_left_out() {
     }
 }
 
+/// The files in `tests/turned-nasty`: parts that tempt a planner. The first line of each says which findings of severity wrong or error
+/// it has, none where it is made whole. No program cuts into the part or strikes anything, and of a
+/// part that is made whole no zone is left without a word.
+#[test]
+fn nasty_parts_are_made_or_told() {
+    let mut wrong = String::new();
+    let mut count = 0;
+    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/turned-nasty")).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let expected: Vec<&str> =
+            text.lines().next().unwrap().trim_start_matches("# wrong:").split(',').map(str::trim).collect();
+        let operation = planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap());
+        let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
+        let mut codes: Vec<&str> = grave.map(|finding| finding.note.code()).collect();
+        codes.sort_unstable();
+        codes.dedup();
+        let expected: Vec<&str> = expected.into_iter().filter(|code| !code.is_empty()).collect();
+        let mut report = spoilt(&operation);
+        if expected.is_empty() {
+            report.extend(silent(&operation));
+        }
+        if codes != expected || !report.is_empty() {
+            wrong.push_str(&format!("{}: {codes:?} {report:?}\n", path.file_name().unwrap().display()));
+        }
+        count += 1;
+    }
+    assert!(count >= 20 && wrong.is_empty(), "{wrong}");
+}
+
 /// Between which Z a blank stands over its rough contour by more than rounding, every 0.01 mm.
 fn stands(work: &Work) -> Option<(Half, Half)> {
     let over = |z: Half| {

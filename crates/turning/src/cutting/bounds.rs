@@ -6,8 +6,10 @@ use technolog_note::note;
 
 use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::knowledge::Knowledge;
+use crate::material::Material;
 use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::tables::lathes::LatheQuantity as Q;
+use crate::tables::rules::TurningChipWidthFor;
 use crate::tables::turning::tools::{InsertEdgeShare, Limit, TurningLimits};
 use crate::turning::tooling::{Shank, TurningTool};
 use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons, RevsPerMinute};
@@ -27,6 +29,8 @@ technolog_knowledge::vocabulary! {
         ShankStiffness = "shank-stiffness",
         /// The edge of the insert is too short.
         InsertEdge = "insert-edge",
+        /// The chip would be too wide for its thickness to break.
+        ChipWidth = "chip-width",
         /// The main force is too large for the carriage.
         CuttingForce = "cutting-force",
         /// The drive along the feed is too weak.
@@ -163,6 +167,7 @@ pub(super) struct Check {
 /// The forces of a cut at a feed, where their figures are known.
 #[derive(Clone, Debug)]
 pub(super) struct Forces {
+    pub feed: MillimetresPerRev,
     pub main: Result<ForceLaw, MissingFigure>,
     pub radial: Result<ForceLaw, MissingFigure>,
     pub axial: Result<ForceLaw, MissingFigure>,
@@ -171,7 +176,8 @@ pub(super) struct Forces {
 impl Forces {
     pub fn of(cut: &TurningCut<'_, '_>, feed: MillimetresPerRev) -> Result<Self, KnowledgeError> {
         let law = |component| Refusal::split(cut.named(laws::force(cut, component, feed)));
-        Ok(Self { main: law(Component::Main)?, radial: law(Component::Radial)?, axial: law(Component::Axial)? })
+        let [main, radial, axial] = [Component::Main, Component::Radial, Component::Axial].map(law);
+        Ok(Self { feed, main: main?, radial: radial?, axial: axial? })
     }
 
     fn law(&self, component: Component) -> &Result<ForceLaw, MissingFigure> {
@@ -269,6 +275,7 @@ pub(super) fn checks(
         (Bound::Handbook, None, handbook(cut)),
     ];
     if !cut.tool.plunges() {
+        tried.push((Bound::ChipWidth, None, Ok(chip_width(cut, forces.feed)?)));
         let side = drive(cut, Bound::SideForce, Component::Radial, across);
         tried.push((Bound::SideForce, Some(Component::Radial), side));
     }
@@ -650,6 +657,35 @@ fn insert_edge(cut: &TurningCut<'_, '_>) -> Tried<Check, MissingFigure> {
     let note = Note::new("insert-edge").with("share", share).with("edge", edge).with("depth", depth);
     let because = vec![Because::row(row.row, note)];
     Ok(Check { bound: Bound::InsertEdge, measure: Measure::Depth, capacity: Load::DepthMm(depth), because })
+}
+
+/// The width of the chip: t ≤ k·f, by the rule `turning-chip-width`.
+fn chip_width(cut: &TurningCut<'_, '_>, feed: MillimetresPerRev) -> Result<Check, KnowledgeError> {
+    let asked = cut.knowledge.ask(&TurningChipWidthFor { material_group: cut.material.group })?;
+    let ratio = asked.need(cut.material.group)?.ratio;
+    let depth = Micrometres::new(libm::floor(ratio * feed.0 * 1000.0 + 1e-6) as i64);
+    let note = Note::new("chip-width").with("ratio", ratio).with("feed", feed.0).with("depth", depth);
+    let because = vec![Because::answer(&asked.answer, note)];
+    Ok(Check { bound: Bound::ChipWidth, measure: Measure::Depth, capacity: Load::DepthMm(depth), because })
+}
+
+/// The force that the floor of a groove bears: F·l ≤ share·σB·W with W = π·d³/32 of the solid floor, mm³, and the lever l from the
+/// blade to the wall at the chuck, mm, half of it where the far end is held, too; none where the strength is not known.
+///
+/// # Errors
+/// The knowledge base lacks the share.
+pub fn floor_bears(
+    floor: Micrometres,
+    lever_mm: f64,
+    alone: bool,
+    material: &Material<'_>,
+    knowledge: &Knowledge,
+) -> Result<Option<(Newtons, Because)>, KnowledgeError> {
+    let strength = material.strength.to_f64();
+    let (share, because) = ratio(knowledge, Limit::PartStressShare)?;
+    let modulus = std::f64::consts::PI * libm::pow(floor.to_mm(), 3.0) / 32.0;
+    let lever = if alone { lever_mm } else { lever_mm / 2.0 };
+    Ok((strength > 0.0).then(|| (Newtons(share * strength * modulus / lever), because)))
 }
 
 /// A drive of the carriage: the force along it ≤ the limit in its record.

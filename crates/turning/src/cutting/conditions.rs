@@ -107,7 +107,9 @@ pub fn conditions(
     let taken = law.at(depth.to_mm(), cut)?;
     because.extend(taken.because.iter().cloned());
     let forces = Forces::of(cut, feed)?;
-    let (checks, missing) = bounds::checks(cut, &forces)?;
+    let (mut checks, missing) = bounds::checks(cut, &forces)?;
+    // A finishing pass is as deep as its allowance, whatever its chips do.
+    checks.retain(|check| roughness.is_none() || check.bound != Bound::ChipWidth);
     let wanted = rpm_at(taken.speed, cut.diameter);
     let (mut rpm, mut limited_by) = first_speed(cut, wanted, taken.is_of_practice());
     if let Some(check) = checks.iter().find(|check| check.bound == Bound::SpindlePower)

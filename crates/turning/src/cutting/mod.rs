@@ -32,7 +32,7 @@ use crate::turning::tooling::{Lathe, Place, TurningTool};
 use crate::units::{Decimal, MetresPerMinute, Micrometres, RevsPerMinute};
 use technolog_cutting::figures::Asking;
 
-pub use bounds::{Bound, GripLimit, JawLoss, Load, TipLimit, UnknownBound, deepest_edge, pull, tipping};
+pub use bounds::{Bound, GripLimit, JawLoss, Load, TipLimit, UnknownBound, deepest_edge, floor_bears, pull, tipping};
 pub use bounds::{
     bar_clearance, bar_overhang, bar_reaches, jaw_clearance, largest_overhang, least_sensible_depth, soft_jaw_share,
     wall_share,

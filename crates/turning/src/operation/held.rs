@@ -111,6 +111,11 @@ impl Held {
         Ok((Finding::of_part(severity, note), because))
     }
 
+    /// Whether nothing but the chuck holds it.
+    pub fn is_alone(&self) -> bool {
+        self.part.support() == PartSupport::Chuck
+    }
+
     /// Whether the part is short for its thickness, by the same rule: no support would make it stiffer.
     ///
     /// # Errors

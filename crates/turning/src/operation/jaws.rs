@@ -128,7 +128,7 @@ impl Jaws {
         let full = workpiece.jaws == JawKind::FullGrip;
         let soft = full || matches!(set_up.holds_at, Some(Hold::Surface { .. }));
         // Nothing is gripped over more than the jaws are long, and soft ones are bored no longer than the grip needs.
-        let jaw = held.map(|held| Half::of(held.jaw));
+        let jaw = held.map(|held| Half::of(held.grip));
         let needed = Half::from(length.to_mm() * soft_jaw_share(knowledge)?).max(least);
         let longest = Some(needed).filter(|_| soft).into_iter().chain(jaw).min();
         let passes = lathe.and_then(|lathe| lathe.bar_hole).is_none_or(|hole| workpiece.largest_diameter() <= hole);

@@ -19,11 +19,12 @@ use crate::material::Material;
 use crate::note::{Finding, Note, Severity};
 use crate::tables::cutting::Process;
 use crate::turning::contour::Side;
+use crate::turning::cutting::jaw_clearance;
 use crate::turning::elements::Angles;
 use crate::turning::jobs::{Job, Work as JobWork};
 use crate::turning::length::Half;
 use crate::turning::workpiece::{Workpiece, advice};
-use crate::turning::zones::{self, Hold, SetUp};
+use crate::turning::zones::{self, Hold, JawLengths, SetUp};
 use crate::units::Micrometres;
 
 /// Plans the turning of a part.
@@ -105,8 +106,15 @@ pub(super) fn plan_without(
     let mut parted = tried.ok();
     let jaws_from = parted.map(Parted::jaws_from);
     let mut set_ups = zones::set_ups(workpiece, jaws_from, Angles::CONTOURING, knowledge)?;
-    // A far face that nothing but a thread holds the part for is parted to length.
-    let held = |one: &SetUp| !matches!(one.holds_at, None | Some(Hold::Surface { threaded: true, .. }));
+    // A far face that nothing but a thread holds the part for, or less than jaws must close on, is parted to length.
+    let [near, _] = jaw_clearance(knowledge)?.map(Half::of);
+    let held = |one: &SetUp| match &one.holds_at {
+        None | Some(Hold::Surface { threaded: true, .. }) => false,
+        Some(Hold::Surface { diameter_mm, length_mm, .. }) => {
+            JawLengths::of(*diameter_mm, knowledge).is_ok_and(|lengths| *length_mm - near >= lengths.least_grip)
+        }
+        Some(Hold::Blank { .. } | Hold::Centres) => true,
+    };
     let only_faced = |one: &SetUp| one.outer.is_none() && one.inner.is_none() && !held(one);
     if parted.is_some() && set_ups.get(1).is_some_and(only_faced) {
         parted = parted.map(Parted::to_length);

@@ -137,6 +137,8 @@ pub fn whole(
     modes(&mut sheet, &format!("{name} - {number}"));
     let mut files = Vec::new();
     let mut before: Option<&ToolSection> = None;
+    // Whether the coolant is on.
+    let mut wet = false;
     let mut remarks = Vec::new();
     let calls = sections.iter().enumerate().map(|(index, section)| {
         let task = match &section.cycle {
@@ -168,7 +170,8 @@ pub fn whole(
         check(section, name, words)?;
         let same = before.filter(|before| before.tool == section.tool && section.load.is_none());
         if same.is_none() {
-            change(&mut sheet, before.is_some(), end_of_part);
+            change(&mut sheet, before.is_some(), wet, end_of_part);
+            wet = false;
             load(&mut sheet, section.load.as_ref());
             sheet.comment(&ascii(&section.title));
             sheet.line(&words.tool(section.tool));
@@ -176,8 +179,9 @@ pub fn whole(
         if same.is_none_or(|before| before.speed != section.speed) {
             sheet.lines(&spindle(words, section.speed));
         }
-        if section.coolant && same.is_none_or(|before| !before.coolant) {
-            sheet.put(&[Use::CoolantOn]);
+        if section.coolant != wet {
+            sheet.put(&[if section.coolant { Use::CoolantOn } else { Use::CoolantOff }]);
+            wet = section.coolant;
         }
         if same.is_none() {
             sheet.forget();
@@ -235,10 +239,12 @@ pub fn warned(control: &Control, file: ProgramFile, reasons: &[String]) -> Resul
 }
 
 /// To the change position; after a tool its spindle and coolant stop there.
-fn change(sheet: &mut ProgramWriter<'_>, after: bool, end_of_part: FreeEnd) {
+fn change(sheet: &mut ProgramWriter<'_>, after: bool, wet: bool, end_of_part: FreeEnd) {
     leave(sheet, end_of_part);
     if after {
         sheet.put(&[Use::SpindleStop]);
+    }
+    if wet {
         sheet.put(&[Use::CoolantOff]);
     }
 }

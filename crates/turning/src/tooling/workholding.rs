@@ -18,6 +18,8 @@ pub struct Workholding {
     pub chuck_diameter: Micrometres,
     /// The length of the jaws before the face of the chuck, and their greatest height above the gripped diameter.
     pub jaw: Micrometres,
+    /// The most that jaws close on along the axis: not more than the real ones.
+    pub grip: Micrometres,
     /// The tangent of half the angle of the centre.
     pub centre_slope: f64,
     /// Diameter of the centre after its cone.
@@ -51,6 +53,7 @@ impl<'k> Lathe<'k> {
         Ok(Some(Workholding {
             chuck_diameter,
             jaw: of(chuck_diameter, Figure::JawShare)?,
+            grip: of(chuck_diameter, Figure::JawGripShare)?,
             centre_slope: libm::tan((figure(Figure::CentreAngle, knowledge)? / 2.0).to_radians()),
             centre_body: Micrometres::from_mm_rounded(figure(Figure::CentreBody, knowledge)?),
             centre_clearance: Micrometres::from_mm_rounded(figure(Figure::CentreClearance, knowledge)?),
@@ -98,7 +101,7 @@ pub(crate) fn figure(name: Figure, knowledge: &Knowledge) -> Result<f64, Knowled
 mod tests {
     use super::*;
 
-    /// 16К20Ф3, 400 over the bed: a chuck of 250; jaws of 75; gripping Ø60 they sweep 60 + 2·75 = 210, gripping Ø200
+    /// 16К20Ф3, 400 over the bed: a chuck of 250; jaws of 75; they grip 43.5; gripping Ø60 they sweep 60 + 2·75 = 210, gripping Ø200
     /// not more than the chuck; the quill 90. Its record has no time of a tool change, that of 16М30Ф3 has 4 s.
     #[test]
     fn bodies_follow_from_the_size_of_the_lathe() {
@@ -107,6 +110,7 @@ mod tests {
         let held = lathe.workholding(&knowledge).unwrap().unwrap();
         let mm = Micrometres::from_mm_rounded;
         assert_eq!((held.chuck_diameter, held.jaw, held.quill_diameter), (mm(250.0), mm(75.0), mm(90.0)));
+        assert_eq!(held.grip, mm(43.5));
         assert_eq!((held.jaws_sweep(mm(60.0)), held.jaws_sweep(mm(200.0))), (mm(210.0), mm(250.0)));
         for lathe in ["16k20f3", "16m30f3"] {
             assert_eq!(Lathe::find(&knowledge, lathe).unwrap().tool_change(&knowledge).unwrap(), Seconds(4.0));

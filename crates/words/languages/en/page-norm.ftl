@@ -19,6 +19,7 @@ norm-hands = hands while the program waits
 norm-of-plan = plan
 norm-given = title block
 norm-loading = loading, clamping and unloading
+norm-regrip = the jaws are set to another force at a stop
 norm-more-clamps = each clamp beyond three
 norm-plug-coarse = hole or slot of grade 11 and coarser, with a plug
 norm-plug-fine = hole or slot of a finer grade, with a plug

@@ -139,6 +139,7 @@ word-part-stiffness = stiffness of the part
 word-grip = grip of the jaws
 word-tipping = tipping out of the jaws
 word-insert-edge = edge of the insert
+word-chip-width = width of the chip
 word-cutting-force = cutting force on the carriage
 word-feed-force = feed drive
 word-side-force = drive across the feed

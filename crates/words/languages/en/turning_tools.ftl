@@ -28,6 +28,7 @@ lathe-limit = the lathe gives { $limit }
 turning-limit = { $name } = { $value }
 overhang = overhang { $length } mm
 insert-edge = at most { $share } of the edge of { $edge } mm may cut: { $depth } mm of depth
+chip-width = chips break up to a depth of { $ratio } feeds: { $depth } mm at { $feed } mm/rev
 elastic-modulus = modulus of elasticity { $modulus } MPa
 bar-too-long = { $tool }: the bar would stand out { $overhang } mm, and { $most } mm are allowed
 part-too-slender = the part ({ $support }, { $ratio } diameters long) bends too far at any reasonable depth of cut; it needs: { $ask }

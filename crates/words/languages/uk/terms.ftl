@@ -139,6 +139,7 @@ word-part-stiffness = жорсткість деталі
 word-grip = затиск у кулачках
 word-tipping = перекидання з кулачків
 word-insert-edge = кромка пластини
+word-chip-width = ширина стружки
 word-cutting-force = сила різання на супорті
 word-feed-force = привод подачі
 word-side-force = привод поперечної подачі

@@ -28,6 +28,7 @@ lathe-limit = верстат дає { $limit }
 turning-limit = { $name } = { $value }
 overhang = виліт { $length } мм
 insert-edge = у роботі не більше { $share } кромки { $edge } мм: { $depth } мм глибини
+chip-width = стружка ламається за глибини до { $ratio } подач: { $depth } мм за { $feed } мм/об
 elastic-modulus = модуль пружності { $modulus } МПа
 bar-too-long = { $tool }: виліт борштанги { $overhang } мм більший за допустимі { $most } мм
 part-too-slender = деталь ({ $support }, довжина { $ratio } діаметра) прогинається раніше, ніж досягнуто доцільної глибини різання; потрібно: { $ask }

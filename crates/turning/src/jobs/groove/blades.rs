@@ -8,12 +8,12 @@ use crate::note::{Because, Note};
 use crate::tables::cutting::{GroovingFeedFor, GroovingSpeedFor};
 use crate::tables::turning::jobs::{GroovingPracticeFor, JobLimit};
 use crate::turning::contour::Surface;
-use crate::turning::cutting::{CuttingRefusal, Direction, TurningCut, conditions, finish_feed};
+use crate::turning::cutting::{Bound, CuttingRefusal, Direction, TurningCut, conditions, finish_feed, floor_bears};
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::tooling::{Hand, Place, Shank, ToolKind, TurningTool};
-use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
+use crate::units::{Micrometres, MillimetresPerRev, Newtons, RevsPerMinute, round_to};
 use technolog_cutting::rpm_at;
 
 use super::super::limits::Limits;
@@ -66,7 +66,7 @@ pub(super) fn choose<'k>(
 fn later(one: NoJob, other: NoJob) -> NoJob {
     match (&one, &other) {
         (NoJob::TooNarrow { .. } | NoJob::NoTool { .. }, _) => other,
-        (_, NoJob::TooNarrow { .. }) => one,
+        (_, NoJob::TooNarrow { .. }) | (NoJob::Overloaded { .. }, NoJob::TooDeep { .. }) => one,
         _ => other,
     }
 }
@@ -160,13 +160,40 @@ fn by_blade<'k>(
     };
     let held = reaching(&tool, valley, division.approach);
     let cut = site::cut(&held, diameter, direction, bench)?;
-    let Pace { rpm, plunge, mut because } = pace(&cut, width, valley.lie, limits)?;
+    let Pace { rpm, plunge, force, mut because } = pace(&cut, width, valley.lie, limits)?;
+    if let Some(force) = force.filter(|_| valley.lie == Lie::Outside) {
+        because.extend(bears(valley, &tool, width, force, bench)?);
+    }
     let along = along_walls(&cut, surface, width, plunge, limits)?;
     because.insert(0, taken(&tool));
     // A layer loads the blade no more than a plunge does.
     let sideways = MillimetresPerRev(round_to((share * edge.width).min(plunge.0 * edge.width / layer), 4));
     let feeds = Feeds { finish: along, cut: sideways, semi_finish: along, ..Feeds::all(plunge) };
     Ok(Chosen { ways, speed: Speed::Spindle(rpm), feeds, because, by_nose: false, tool })
+}
+
+/// That the floor of a groove bears the plunge of its blade, which no other law sees: the part is calculated without its grooves. Only
+/// solid ones are: a bore makes the wall a ring.
+fn bears(
+    valley: &Valley,
+    tool: &TurningTool<'_>,
+    width: Micrometres,
+    force: Newtons,
+    bench: &Bench<'_, '_>,
+) -> Tried<Option<Because>, NoJob> {
+    let (Some(held), None) = (&bench.held, &bench.workpiece.inner) else { return Ok(None) };
+    let ends = valley.pieces.iter().flat_map(|piece| [piece.from.z, piece.to.z]);
+    let (Some(from), Some(to)) = (ends.clone().min(), ends.max()) else { return Ok(None) };
+    let half = width.to_mm() / 2.0;
+    let lever = ((to - from).to_mm() - half).max(half);
+    let floor = valley.floor.diameter();
+    let Some((most, because)) = floor_bears(floor, lever, held.is_alone(), &bench.material, bench.knowledge)? else {
+        return Ok(None);
+    };
+    if force.0 > most.0 {
+        return not(NoJob::Overloaded { tool: tool.designation.to_owned(), bound: Bound::PartStrength });
+    }
+    Ok(Some(because))
 }
 
 fn by_nose<'k>(
@@ -300,6 +327,8 @@ pub(super) fn play(site: Site<'_>, valley: &Valley, tool: &TurningTool<'_>) -> H
 pub(in super::super) struct Pace {
     pub rpm: RevsPerMinute,
     pub plunge: MillimetresPerRev,
+    /// What the blade presses with, Pz and Py together; none where its figures are not known.
+    pub force: Option<Newtons>,
     pub because: Vec<Because>,
 }
 
@@ -333,12 +362,14 @@ pub(in super::super) fn blade_pace(cut: &TurningCut<'_, '_>, width: Micrometres)
         }
         because.extend(found.because);
         let plunge = MillimetresPerRev(found.feed_mm_per_rev.0.min(maker.feed_max.0));
-        return Ok(Pace { rpm: found.spindle_rpm, plunge, because });
+        let both = found.main_force_n.zip(found.radial_force_n);
+        let force = both.map(|(main, radial)| Newtons(libm::hypot(main.0, radial.0)));
+        return Ok(Pace { rpm: found.spindle_rpm, plunge, force, because });
     }
     let rpm = cut.lathe.spindle.at_most(rpm_at(maker.speed_min, diameter)).rounded(2);
     let (_, most) = if cut.direction == Direction::Transverse { cut.lathe.feed_x } else { cut.lathe.feed_z };
     let plunge = MillimetresPerRev(maker.feed_min.0.min(most.0 / rpm.0));
-    Ok(Pace { rpm, plunge, because })
+    Ok(Pace { rpm, plunge, force: None, because })
 }
 
 /// Whether a table has figures for the material itself.
