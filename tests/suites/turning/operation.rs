@@ -275,7 +275,7 @@ fn nasty_parts_are_made_or_told() {
         let text = std::fs::read_to_string(&path).unwrap();
         let expected: Vec<&str> =
             text.lines().next().unwrap().trim_start_matches("# wrong:").split(',').map(str::trim).collect();
-        let operation = planned(&read_workpiece("part", &text, &KNOWLEDGE).unwrap());
+        let operation = planned(&read_turned("part", &text, &KNOWLEDGE).unwrap());
         let grave = operation.findings.iter().filter(|finding| finding.severity <= Severity::Wrong);
         let mut codes: Vec<&str> = grave.map(|finding| finding.note.code()).collect();
         codes.sort_unstable();
