@@ -167,7 +167,8 @@ fn a_thin_rough_reamer_is_fed_as_in_practice() {
         let found = conditions(&cut(Operation::RoughReam, 2.7, 2.9), material);
         near(found.feed_mm_per_rev.0, most);
     }
-    near(conditions(&cut(Operation::RoughReam, 9.8, 9.96), "steel-45").feed_mm_per_rev.0, 0.8);
+    // The thick one by 0.076 mm a flute of six, as the pages have it; the handbook has 0.8.
+    near(conditions(&cut(Operation::RoughReam, 9.8, 9.96), "steel-45").feed_mm_per_rev.0, 0.457);
 }
 
 /// Ø18 counterbored from Ø11: t = 3.5, s = 0.28, T = 30.

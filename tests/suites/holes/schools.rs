@@ -156,7 +156,7 @@ impl Problem {
         stated.extend(given.into_iter().filter_map(|(key, value)| Some((key, value?))));
         let Drawn { operation, diameter, from, depth, .. } = &self.hole;
         stated.extend(self.ours.iter().map(|(key, value)| (key.as_str(), *value)));
-        stated.insert(key, libm::round(self.ours[key] * 13_700.0) / 10_000.0);
+        stated.insert(key, libm::round(self.ours[key] * 6_300.0) / 10_000.0);
         let stated: Vec<String> = stated.iter().map(|(key, value)| format!("{key}: {value}")).collect();
         let text = format!(
             "plan: P\npart: part.yaml\nroute: [{{operation: {operation}, hole: A, diameter: {diameter}, from: {from}, \
