@@ -30,7 +30,8 @@ pub(super) struct PartPosition {
 /// - Z: the knee is as high as the longest tool allows: with the quill retracted this tool clears the part by the
 ///   retract height. It is the reference tool of the corrections, so its tip is used for measuring the zero.
 /// - Under the part there is room for tools that go through, and `support-room` more: without a height of the fixture,
-///   supports of whole millimetres are assumed, and reported.
+///   supports of whole millimetres are assumed, and reported. Where the nose comes no lower, they are so high that the shortest
+///   tool reaches its depth.
 ///
 /// # Errors
 /// The knowledge base has no answer.
@@ -56,7 +57,7 @@ pub(super) fn stand(
     let supports = match plan.held(1) {
         Held::Vice(vice) => vice.height(),
         Held::Chuck(chuck) => chuck.part_height_mm,
-        _ => supports(part, works, shop, findings)?,
+        _ => supports(plan, works, shop, findings)?,
     };
     // From the table to the zero of the drawing.
     let zero_height = supports + part.blank.thickness - part.datum.top;
@@ -92,11 +93,12 @@ pub(super) fn across(part: &Part, works: &[ToolWork], machine: &Machine<'_>) -> 
 
 /// The height of the part above the table: that of the fixture, or what through tools need.
 fn supports(
-    part: &Part,
+    plan: &Plan,
     works: &[ToolWork],
     shop: &Shop<'_>,
     findings: &mut Vec<Finding>,
 ) -> Result<Micrometres, KnowledgeError> {
+    let part = &plan.part;
     let lowest = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.end)).min().unwrap_or_default();
     let below = (part.datum.top - part.blank.thickness - lowest).max(Micrometres::ZERO);
     let room = Micrometres::from_mm_rounded(convention(Convention::SupportRoom, shop.knowledge)?.0);
@@ -122,9 +124,41 @@ fn supports(
                 let note = Note::new("supports-assumed").with("below", below).with("height", height);
                 findings.push(Finding::of_part(Severity::Note, note));
             }
+            let short = shortfall(plan, works, height, &shop.machine);
+            if let Some((short, tool)) = short.filter(|(short, _)| *short > Micrometres::ZERO) {
+                let raised = height + up_to(short, step);
+                findings.push(Finding::of_part(
+                    Severity::Note,
+                    Note::new("supports-for-reach")
+                        .with("tool", tool)
+                        .with("way", shop.machine.travel_z + short)
+                        .with("height", raised),
+                ));
+                return Ok(raised);
+            }
             Ok(height)
         }
     }
+}
+
+/// How much the quill lacks to bring a tool to its depth with its nose as low as the machine has it, and which tool: higher supports
+/// mend that, for a nose that must be higher for the longest tool goes up with them.
+fn shortfall(
+    plan: &Plan,
+    works: &[ToolWork],
+    supports: Micrometres,
+    machine: &Machine<'_>,
+) -> Option<(Micrometres, u32)> {
+    let (least, _) = machine.nose_to_table?;
+    let part = &plan.part;
+    let zero = supports + part.blank.thickness - part.datum.top;
+    let short = works.iter().filter_map(|work| {
+        let tool = plan.tools.iter().find(|tool| tool.number == work.tool)?;
+        let lowest = zero + work.cycles.iter().map(|cycle| cycle.end).min()?;
+        let stroke = Stroke { length: tool.length_mm, highest: lowest, lowest };
+        Some((stroke.travel(least) - machine.travel_z, work.tool))
+    });
+    short.max()
 }
 
 /// Holes under which the tool comes out: what a fixture of the shop's own has there is not known. Each is told once, at its deepest.

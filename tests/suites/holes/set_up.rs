@@ -509,3 +509,16 @@ fn straps_of_our_own_are_not_where_a_holder_comes_down() {
     let middle = clamps.iter().any(|at| at.x.to_mm().abs() < 1.0 && at.y.to_mm() < 0.0);
     assert!(strap.height_mm.to_mm() < 50.0 || !middle, "{clamps:?}, {} mm", strap.height_mm);
 }
+
+/// At the lowest the nose of a VF-5/50 is 737 − 635 = 102 mm over the table, the tip of a bar of 85 mm 17: 0.2 mm over the floor of a
+/// hole 15 deep in 25 mm it must be at 10.2, so that 6.8 mm are missing.
+#[test]
+fn supports_bring_the_part_up_to_a_short_tool() {
+    let text = "part: P\nmaterial: steel-45\nmachine: haas-vf5-50\nblank: {kind: plate, length: 300, width: 200, thickness: 25}\n\
+                holes:\n  - {name: s, diameter: 20H7, depth: 15, bottom: flat, roughness: Ra 1.6, centre_tolerance: 0.1, at: [[0, 0]]}\n";
+    let plan = planned(&read(text), CuttingMethod::Formula);
+    assert_eq!(plan.setup.stands[0].height_mm, Micrometres::from_mm(7));
+    assert!(found(&plan, "quill-too-short").is_none());
+    let given = text.replace("holes:", "fixture: {height: 5}\nholes:");
+    assert!(found(&planned(&read(&given), CuttingMethod::Formula), "quill-too-short").is_some());
+}

@@ -176,8 +176,10 @@ impl InChuck<'_> {
     /// The force Q of all jaws together, N, and the load that needs the most of it, for a part of diameter D gripped as deep as g
     /// with the friction f at the jaws:
     ///
-    /// - turning and sliding: k·(P + 2·(M + P·e)/D) ≤ f·Q, the torque M of a tool and its side force P at e from the axis borne
-    ///   by friction alone;
+    /// - turning: 2·k·(M + P·e)/D ≤ f·Q, the torque M of a tool and that of its side force P at e from the axis borne by friction
+    ///   alone; P takes from one jaw what it gives to the others;
+    /// - sliding: k·P ≤ Q/2, for jaws are stops: of three equally stiff ones, each pressing with Q/3, that from which P pushes away
+    ///   loses 2/3 of P, and lets go at Q/2;
     /// - tipping by P at the face: 2·√3·k·P·a ≤ Q·g, a from the middle of the grip up to the face: each jaw presses with Q/3 at an
     ///   edge of the grip at worst, and of three at 120° at least √3 count about any line;
     /// - tipping by the thrust T of a tool outside the three supports, steps as wide as the jaws w that reach to the rim: about the
@@ -195,10 +197,11 @@ impl InChuck<'_> {
         let line = radius * libm::cos(60.0_f64.to_radians() - beside);
         let force = |one: &Pressed<'_>| {
             let (side, out) = (one.load.side.map_or(0.0, |side| side.0), metres(one.out));
-            let turning = k * (side + 2.0 * (one.load.torque.0 + side * out) / diameter) / f;
+            let turning = 2.0 * k * (one.load.torque.0 + side * out) / (diameter * f);
+            let sliding = 2.0 * k * side;
             let tipping = 2.0 * 3.0_f64.sqrt() * k * side * arm / grip;
             let thrust = 3.0 * k * one.thrust.0 * (out - line).max(0.0) / (f * (radius + line));
-            turning.max(tipping).max(thrust)
+            turning.max(sliding).max(tipping).max(thrust)
         };
         let forces = self.loads.iter().map(|one| (force(one), &one.load));
         forces.max_by(|one, two| one.0.total_cmp(&two.0)).map(|(force, load)| (Newtons(force), load))

@@ -3,7 +3,7 @@
 
 use crate::document::Document;
 use crate::note::{Figure, Note};
-use crate::part::{Along, Face, Part};
+use crate::part::{Along, Face, Holding, Part};
 use crate::plan::{
     BarSetting, Chuck, Clamping, FixtureKind, FixturePlan, Held, HeldBy, OtherZero, OwnFixture, PartLocating, Plan,
     Stand, Touched, Vice,
@@ -15,7 +15,8 @@ use super::{Lang, chains, clamps_of, mark, mm, pins, rounded, say, surface, weak
 /// The steps of all set-ups, numbered throughout.
 pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
     let fixture = plan.setup.fixture.as_ref();
-    let mut steps: Vec<String> = fixture.iter().map(|fixture| kind(fixture, lang)).collect();
+    let asks_chuck = plan.part.fixture.holding == Some(Holding::Chuck);
+    let mut steps: Vec<String> = fixture.iter().map(|fixture| kind(fixture, asks_chuck, lang)).collect();
     steps.extend(fixture.and_then(|fixture| pins::told(fixture, &plan.part, lang)));
     for stand in &plan.setup.stands {
         match plan.held(stand.set_up) {
@@ -36,12 +37,14 @@ pub(crate) fn section(page: &mut Document, plan: &Plan, lang: Lang) {
 }
 
 /// The kind of fixture, its place on the table, and the part in it.
-fn kind(fixture: &FixturePlan, lang: Lang) -> String {
+fn kind(fixture: &FixturePlan, asks_chuck: bool, lang: Lang) -> String {
     let said = |code: String| lang.say(&Note::new(code));
     // Straps hold the part on a plate made for it, because the table has no holes for pins.
     let on_pins = matches!((fixture.fixture_kind, fixture.held), (FixtureKind::Special, HeldBy::Straps));
     let mut sentences = vec![match on_pins && !fixture.pins.is_empty() {
         true => said("plan-fixture-special-pins".to_owned()),
+        // Nothing else was tried.
+        false if fixture.held == HeldBy::Nothing && asks_chuck => said("plan-fixture-special-not-in-chuck".to_owned()),
         false => said(format!("plan-fixture-{}-{}", fixture.fixture_kind.name(), fixture.held.name())),
     }];
     sentences.extend(fixture.keying.map(|keying| said(format!("plan-keying-{}", keying.name()))));
@@ -82,8 +85,9 @@ fn on_table(held: Held<'_>, stand: &Stand, plan: &Plan, lang: Lang) -> Vec<Strin
         }
         Held::Vice(_) | Held::Chuck(_) | Held::Nothing => lang.word("plan-no-clamping").to_owned(),
     };
-    // What stands under a part by the file is not ours to place.
-    let where_ = (key == "plan-supports-assumed").then(|| lang.word("plan-supports-where").to_owned());
+    // How supports must stand holds for those of the file, too.
+    let where_ = matches!(key, "plan-supports-assumed" | "plan-supports-given")
+        .then(|| lang.word("plan-supports-where").to_owned());
     let stops = stops(stand, plan, lang);
     let part = [turned_over(stand, plan, lang), Some(supports), where_, Some(lies), stops];
     vec![part.into_iter().flatten().collect::<Vec<_>>().join(" "), clamped]

@@ -7,6 +7,7 @@ holder-in-clamp = T{ $tool }: what is above the cutter, Ø{ $diameter }, comes d
 holder-may-meet-clamp = T{ $tool }: what is above the cutter is of unknown thickness; as thick as its collar, Ø{ $diameter }, it comes down at { $at } to { $low } mm over the face < { $height } mm of what stands at { $clamp }: measure the holder
 holders-may-meet-straps = { $tools }: what is above these cutters is of unknown thickness; as thick as a collar, Ø{ $diameter }, it comes down at { $at } to { $low } mm over the face < { $height } mm of the proposed strap at { $clamp }: measure the holders, or take lower straps
 out-below-in-own-fixture = the tool comes out { $below } mm below the part: the fixture must leave that free there
+supports-for-reach = no height of the fixture is given (fixture.height), and tool T{ $tool } would need { $way } mm of the quill’s travel: supports of { $height } mm are assumed
 supports-assumed = no height of the fixture is given (fixture.height) and a tool comes out { $below } mm below the part: supports of { $height } mm are assumed
 change-over-part = the place of the tool change, X{ $x } Y{ $y }, is over the part
 ways-over-clamps = toolpaths cross the clamps at { $clamps } { $height } mm above the part; the height of the clamps is not known: give `height` of each under fixture.clamps

@@ -157,6 +157,7 @@ plan-start-to-clamp = The nearest clamp is { $away } mm from there.
 plan-fixture-universal-straps = Universal fixture: straps on the table (1.6).
 plan-fixture-universal-vice = Universal fixture: a vice (1.6).
 plan-fixture-special-nothing = A special fixture is to be made (1.6): neither straps, nor a vice, nor a chuck hold the part.
+plan-fixture-special-not-in-chuck = A fixture is to be made (1.6), or `holding: chuck` left out: the chuck that the file asks for does not hold the part.
 plan-fixture-special-straps = A special fixture is to be made (1.6): under straps alone the part springs.
 plan-fixture-special-pins = A special fixture is to be made (1.6): a steel plate with the pins of the part, straps on it.
 plan-fixture-special-vice = A special fixture is to be made (1.6): in a vice the part springs.
@@ -193,7 +194,7 @@ plan-chains-how = Fields of error, mm; statistically: the root of the sum of the
 plan-supports-given = Set-up { $setup }: the part on supports of { $height } mm, as the file says.
 plan-in-own = Set-up { $setup }: the part lies in its fixture { $height } mm over the table, as the file says.
 plan-on-plate = Set-up { $setup }: the part on supports of the plate that its pins stand in, { $height } mm over the table, as the file says; the supports stand clear of the through holes.
-plan-supports-assumed = Set-up { $setup }: the part on supports of { $height } mm, so that tools have room below it; the file gives no height (fixture.height).
+plan-supports-assumed = Set-up { $setup }: the part on supports of { $height } mm, so that tools have room below it and the quill’s travel is enough; the file gives no height (fixture.height).
 plan-supports-where = Supports stand under the clamps and beyond the outermost holes, so that no thrust tips the part, and clear of the through holes.
 plan-supports-none = Set-up { $setup }: no supports are needed, no tool comes out below the part; the file gives no height (fixture.height).
 plan-times = { $parts } = { $total } min
