@@ -253,8 +253,9 @@ impl Walk<'_, '_> {
         } else if tip >= thickness {
             self.faults.push(Fault::BreaksThrough { operation, tip, thickness });
         } else if floor < least && matches!(operation, Operation::Drill | Operation::DrillOut) {
-            let share = tool::limit(ProofLimit::LeastFloorShare, self.shop)?;
-            let bursts = floor.to_mm() < share * least.to_mm();
+            let thinnest = least.to_mm() * tool::limit(ProofLimit::LeastFloorShare, self.shop)?;
+            let bursts = floor.to_mm() < thinnest;
+            let least = if bursts { Micrometres::from_mm_rounded(thinnest) } else { least };
             self.faults.push(Fault::ThinFloor { operation, tip, floor, least, bursts });
         }
         let main = CylinderId::of(transition) == Some(CylinderId::Main);

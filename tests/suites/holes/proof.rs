@@ -43,6 +43,17 @@ fn every_planted_error_is_found() {
     let least = |fault: &Fault| matches!(fault, Fault::NoStock { may_be, .. } if *may_be == mm(8.05));
     assert!(scant.iter().any(least), "{scant:?}");
 
+    // 20 - 19.7 = 0.3 mm is under half of the least floor of 1 mm, 20 - 19.3 = 0.7 mm is not: each with the limit it misses.
+    let keys = "diameter: 8H12, depth: 10, roughness: Ra 12.5, centre_tolerance: 0.4, at: [[0, 0]]";
+    let blind = plan_of_hole("steel-45", "gf2171", "20", keys);
+    for (tip, limit) in [(19.7, 0.5), (19.3, 1.0)] {
+        let thin = with_change(&blind, |steps| {
+            let drill = transition_of(steps, Operation::Drill);
+            drill.travel_mm = mm(tip) + drill.approach_mm;
+        });
+        let told = |fault: &Fault| matches!(fault, Fault::ThinFloor { least, bursts, .. } if *least == mm(limit) && *bursts == (limit < 1.0));
+        assert!(thin.iter().any(told), "{thin:?}");
+    }
     // Two drills of one blind hole, 118°: the points end together at 40 + 35/2·tan 31° = 50.515.
     let keys = "diameter: 35H12, depth: 40, roughness: Ra 12.5, centre_tolerance: 0.4, at: [[0, 0]]";
     let opened = plan_of_hole("steel-45", "ir500pmf4", "80", keys);
