@@ -339,6 +339,13 @@ impl Stated {
         self.rows_of_hole(hole).any(|(other, own)| other > row && own.operation.value == Operation::Mill)
     }
 
+    /// The row that drills out what a row drills, if one does.
+    pub fn drilled_out(&self, hole: &str, row: usize) -> Option<usize> {
+        let first = self.rows.get(row).is_some_and(|own| own.operation.value == Operation::Drill);
+        let out = |(other, own): &(usize, &Row)| *other > row && own.operation.value == Operation::DrillOut;
+        self.rows_of_hole(hole).find(out).filter(|_| first).map(|(other, _)| other)
+    }
+
     /// Whether a row of a group is followed by a reamer.
     pub fn reamer_follows(&self, hole: &str, row: usize) -> bool {
         self.rows_of_hole(hole).any(|(other, own)| other > row && own.operation.value.is_reaming())

@@ -8,6 +8,7 @@ use crate::part::{Part, Point, Standing};
 use crate::plan::{Held, Plan};
 use crate::shop::Shop;
 use crate::tables::controls::Convention;
+use crate::tables::practice::{ProofLimit, ProofLimits};
 use crate::units::Micrometres;
 use crate::zone::Stroke;
 
@@ -99,7 +100,12 @@ fn supports(
     findings: &mut Vec<Finding>,
 ) -> Result<Micrometres, KnowledgeError> {
     let part = &plan.part;
-    let lowest = works.iter().flat_map(|work| work.cycles.iter().map(|cycle| cycle.end)).min().unwrap_or_default();
+    let mut lows = Vec::new();
+    for work in works {
+        let pilot = pilot(work, plan, shop)?;
+        lows.extend(work.cycles.iter().map(|cycle| cycle.end - pilot));
+    }
+    let lowest = lows.into_iter().min().unwrap_or_default();
     let below = (part.datum.top - part.blank.thickness - lowest).max(Micrometres::ZERO);
     let room = Micrometres::from_mm_rounded(convention(Convention::SupportRoom, shop.knowledge)?.0);
     match part.fixture.height {
@@ -112,7 +118,7 @@ fn supports(
                 findings.push(Finding::of_part(Severity::Doubtful, note.with("room", room)));
             }
             if part.fixture.own.is_some() {
-                below_in_own(part, works, findings);
+                below_in_own(plan, works, shop, findings)?;
             }
             Ok(height)
         }
@@ -162,12 +168,21 @@ fn shortfall(
 }
 
 /// Holes under which the tool comes out: what a fixture of the shop's own has there is not known. Each is told once, at its deepest.
-fn below_in_own(part: &Part, works: &[ToolWork], findings: &mut Vec<Finding>) {
+fn below_in_own(
+    plan: &Plan,
+    works: &[ToolWork],
+    shop: &Shop<'_>,
+    findings: &mut Vec<Finding>,
+) -> Result<(), KnowledgeError> {
+    let part = &plan.part;
     for hole in &part.holes {
-        let stops = works.iter().flat_map(|work| work.stops.iter().map(move |stop| (work, stop)));
-        let cycles =
-            stops.filter(|(_, stop)| stop.hole == hole.name).filter_map(|(work, stop)| work.cycles.get(stop.cycle));
-        let Some(lowest) = cycles.map(|cycle| cycle.end).min() else { continue };
+        let mut lows = Vec::new();
+        for work in works {
+            let pilot = pilot(work, plan, shop)?;
+            let own = work.stops.iter().filter(|stop| stop.hole == hole.name);
+            lows.extend(own.filter_map(|stop| work.cycles.get(stop.cycle)).map(|cycle| cycle.end - pilot));
+        }
+        let Some(lowest) = lows.into_iter().min() else { continue };
         let below = part.datum.top - part.blank.thickness - lowest;
         let note = Note::new("out-below-in-own-fixture").with("below", below);
         let finding = Finding::of_hole(Severity::Doubtful, &hole.name, note);
@@ -175,6 +190,16 @@ fn below_in_own(part: &Part, works: &[ToolWork], findings: &mut Vec<Finding>) {
             findings.push(finding);
         }
     }
+    Ok(())
+}
+
+/// How far the pilot of a counterbore stands before its teeth: as long as is usual for its diameter (table `proof-limits`).
+fn pilot(work: &ToolWork, plan: &Plan, shop: &Shop<'_>) -> Result<Micrometres, KnowledgeError> {
+    let tool = plan.tools.iter().find(|tool| tool.number == work.tool);
+    let Some(diameter) = tool.and_then(|tool| tool.pilot_mm) else { return Ok(Micrometres::ZERO) };
+    let name = ProofLimit::PilotLengthDiameters;
+    let share = shop.knowledge.need(name.name(), |row: &ProofLimits<'_>| row.name.is(name))?.value;
+    Ok(Micrometres::from_mm_rounded(diameter.to_mm() * share))
 }
 
 /// The zero of one axis: with the blank in the middle, or shifted so far that all points are reached.

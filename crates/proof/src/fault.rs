@@ -70,6 +70,16 @@ pub enum Fault {
     ThinFloor { operation: Operation, tip: Micrometres, floor: Micrometres, least: Micrometres, bursts: bool },
     /// A reamer or boring bar runs into a flat floor.
     MeetsFloor { operation: Operation, tip: Micrometres },
+    /// A drill that opens a blind hole finds solid metal below the point of the drill before it. `short`: that drill's cylinder ends
+    /// higher, too.
+    SolidCore {
+        operation: Operation,
+        drill: Micrometres,
+        tip: Micrometres,
+        core: Micrometres,
+        most: Micrometres,
+        short: bool,
+    },
     /// The tool goes below what was opened for it.
     Floor { operation: Operation, tip: Micrometres, opened: Micrometres },
     /// The drill under a thread is out of the limits of its minor diameter.
@@ -132,6 +142,7 @@ impl Fault {
             | Self::MiddleInMetal { .. }
             | Self::Wall { .. }
             | Self::PilotMeetsFloor { none: false, .. }
+            | Self::SolidCore { short: false, .. }
             | Self::CastDepth { .. }
             | Self::CastStock { .. }
             | Self::UnderSkin { .. }
@@ -172,6 +183,11 @@ impl Fault {
                 let code = if *open > Micrometres::ZERO { "proof-middle-over-hole" } else { "proof-middle-in-metal" };
                 of(code, operation).with("tool", tool).with("middle", middle).with("open", open)
             }
+            Self::SolidCore { operation, drill, tip, core, most, .. } => of("proof-solid-core", operation)
+                .with("drill", drill)
+                .with("tip", tip)
+                .with("core", core)
+                .with("most", most),
             Self::SpotStays { spot, limit } => Note::new("proof-spot-stays").with("spot", spot).with("limit", limit),
             Self::TooShallow { operation, depth, required } => {
                 of("proof-too-shallow", operation).with("depth", depth).with("asked", required)

@@ -13,7 +13,7 @@ use crate::units::Micrometres;
 
 use super::cylinder::{CylinderId, CylinderRequirements};
 use super::reach::{Both, MethodKey, Reach, drift, oversize};
-use super::{Fault, Shortfall, loads, middle, shoulder, tool};
+use super::{Fault, Shortfall, core, loads, middle, shoulder, tool};
 
 /// The current state of a cylinder.
 #[derive(Clone, Copy, Debug)]
@@ -95,6 +95,9 @@ impl Walk<'_, '_> {
             self.faults.extend(shoulder::gouged(transition, self.hole, self.shop)?);
             let opened = self.states.get(&CylinderId::Main).map_or(Micrometres::ZERO, |state| state.depth);
             self.faults.extend(middle::in_metal(transition, self.hole, opened, self.shop)?);
+            if !self.hole.through {
+                self.faults.extend(core::left_solid(transition, &self.transitions[..at], self.shop)?);
+            }
         }
         if transition.operation == Operation::CentreDrill {
             self.centred = true;
@@ -250,8 +253,9 @@ impl Walk<'_, '_> {
         } else if tip >= thickness {
             self.faults.push(Fault::BreaksThrough { operation, tip, thickness });
         } else if floor < least && matches!(operation, Operation::Drill | Operation::DrillOut) {
-            let share = tool::limit(ProofLimit::LeastFloorShare, self.shop)?;
-            let bursts = floor.to_mm() < share * least.to_mm();
+            let thinnest = least.to_mm() * tool::limit(ProofLimit::LeastFloorShare, self.shop)?;
+            let bursts = floor.to_mm() < thinnest;
+            let least = if bursts { Micrometres::from_mm_rounded(thinnest) } else { least };
             self.faults.push(Fault::ThinFloor { operation, tip, floor, least, bursts });
         }
         let main = CylinderId::of(transition) == Some(CylinderId::Main);

@@ -7,13 +7,14 @@
 //!
 //! - `blank` the blank: walls beside holes, stock of cast holes, the spring of a thin plate;
 //! - `hole` simulates the transitions of a hole: worst-case sizes, positions and depths;
-//! - `shoulder` points of drills over flat shoulders;
+//! - `shoulder` points of drills over flat shoulders; `core` the solid metal below the first drill of a blind hole;
 //! - `cylinder` the requirements of the drawing for a surface; `reach` the practice tables of a transition;
 //! - `loads` forces and power with their margin; `tool` the strength of the tool; `holder` what is left under it; `pilot` its room in a blind hole; `fault` all faults, as types.
 //!
 //! Architecture invariant: the proof does not use the planner, makes no choices and corrects nothing.
 
 mod blank;
+mod core;
 mod cylinder;
 mod fault;
 mod holder;

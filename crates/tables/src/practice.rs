@@ -280,6 +280,7 @@ vocabulary! {
         LeastFloor = "least-floor",
         LeastFloorShare = "least-floor-share",
         CoreDrillLips = "core-drill-lips",
+        ChiselCone = "chisel-cone",
         PilotLengthDiameters = "pilot-length-diameters",
         ShortestPilot = "shortest-pilot",
         HardestForSteel = "hardest-for-high-speed-steel",

@@ -43,6 +43,38 @@ fn every_planted_error_is_found() {
     let least = |fault: &Fault| matches!(fault, Fault::NoStock { may_be, .. } if *may_be == mm(8.05));
     assert!(scant.iter().any(least), "{scant:?}");
 
+    // 20 - 19.7 = 0.3 mm is under half of the least floor of 1 mm, 20 - 19.3 = 0.7 mm is not: each with the limit it misses.
+    let keys = "diameter: 8H12, depth: 10, roughness: Ra 12.5, centre_tolerance: 0.4, at: [[0, 0]]";
+    let blind = plan_of_hole("steel-45", "gf2171", "20", keys);
+    for (tip, limit) in [(19.7, 0.5), (19.3, 1.0)] {
+        let thin = with_change(&blind, |steps| {
+            let drill = transition_of(steps, Operation::Drill);
+            drill.travel_mm = mm(tip) + drill.approach_mm;
+        });
+        let told = |fault: &Fault| matches!(fault, Fault::ThinFloor { least, bursts, .. } if *least == mm(limit) && *bursts == (limit < 1.0));
+        assert!(thin.iter().any(told), "{thin:?}");
+    }
+    // Two drills of one blind hole, 118°: the points end together at 40 + 35/2·tan 31° = 50.515.
+    let keys = "diameter: 35H12, depth: 40, roughness: Ra 12.5, centre_tolerance: 0.4, at: [[0, 0]]";
+    let opened = plan_of_hole("steel-45", "ir500pmf4", "80", keys);
+    let pair = &opened.holes[0].transitions[1..];
+    assert_eq!(pair.iter().map(|step| step.diameter_mm).collect::<Vec<_>>(), [mm(17.5), mm(35.0)]);
+    assert_eq!(pair.iter().map(Transition::end).collect::<Vec<_>>(), [mm(50.515), mm(50.515)]);
+    let raised = |by: f64| {
+        let found = with_change(&opened, |steps| {
+            let drill = transition_of(steps, Operation::Drill);
+            (drill.depth_mm, drill.travel_mm) = (drill.depth_mm - mm(by), drill.travel_mm - mm(by));
+        });
+        found.into_iter().find_map(|fault| match fault {
+            Fault::SolidCore { core, most, short, .. } => Some((core, most, short)),
+            _ => None,
+        })
+    };
+    // The web of 35/4 mm is a cone of 8.75/2/tan 59° = 2.63 mm; with both cylinders 40 deep the points differ by 17.5/2·tan 31°.
+    assert_eq!(raised(2.6), None);
+    assert_eq!(raised(5.257), Some((mm(5.257), mm(2.625), false)));
+    assert_eq!(raised(8.0), Some((mm(8.0), mm(2.625), true)));
+
     let wide = with_change(&reamed, |steps| transition_of(steps, Operation::Drill).tool.diameter_mm = mm(8.2));
     assert!(wide.iter().any(|fault| matches!(fault, Fault::Enters { .. })), "{wide:?}");
     let spot = with_change(&reamed, |steps| transition_of(steps, Operation::CentreDrill).diameter_mm = mm(9.0));

@@ -19,6 +19,9 @@ use super::super::stated::{Row, StatedFigure};
 /// The depth of a spot is half its width: centring drills have 90° (textbook 1.2.1, l. 272-273).
 const CENTRING_ANGLE: f64 = 90.0;
 
+/// The usual point of a drill (ГОСТ 10903).
+const DRILL_ANGLE: f64 = 118.0;
+
 pub(super) fn check<'a>(
     context: &Context<'a>,
     graph: &Graph<'a>,
@@ -83,6 +86,7 @@ pub(super) fn check<'a>(
             _ => Micrometres::ZERO,
         };
         let most = if deeper { hole.depth + room } else { hole.depth };
+        let most = most + Micrometres::from_mm_rounded(shorter_point(context, graph, at, hole));
         let least = hole.depth - above;
         let runs_out = context.runs_out(hole, at) && context.is_overrun(hole, figure.value);
         if plain && !runs_out && !(least..=most).contains(&stated) {
@@ -146,6 +150,14 @@ fn breaks_through(
     let point = angle.zip(diameter).map_or(0.0, |(angle, diameter)| cone(diameter, angle));
     let end = figure.value + point;
     (end >= thickness.to_mm()).then_some(end)
+}
+
+/// How much deeper than the second the first drill of a blind hole may go, mm, in whole millimetres: both points then end together.
+fn shorter_point(context: &Context<'_>, graph: &Graph<'_>, at: usize, hole: &Hole) -> f64 {
+    let second = context.stated.drilled_out(&hole.name, at).filter(|_| !hole.through);
+    let diameter = |row: usize| graph.stated_or_right(Id::new(Scope::Row(row), Q::Diameter));
+    let pair = diameter(at).zip(second.and_then(diameter));
+    pair.map_or(0.0, |(first, second)| libm::ceil(cone((second - first).max(0.0), DRILL_ANGLE)))
 }
 
 /// How deep a centring spot is, mm, by its diameter and the angle of the centring drill.

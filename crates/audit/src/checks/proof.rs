@@ -9,11 +9,14 @@ use technolog_proof::Fault;
 
 use crate::error::KnowledgeError;
 use crate::note::Severity;
+use crate::plan::Operation;
 use crate::tables::audit::PlanPart;
 
 use super::super::context::Context;
 use super::super::finding::{AuditFinding, Section};
 use super::super::graph::{Graph, Status};
+use super::super::quantity::Quantity;
+use super::super::stated::Row;
 use super::program::stated_holes;
 
 pub(super) fn check<'a>(
@@ -50,6 +53,7 @@ pub(super) fn check<'a>(
                 | Fault::BarBeyondMachine { .. }
                 | Fault::BarEnters { .. }
                 | Fault::MiddleInMetal { .. }
+                | Fault::SolidCore { .. }
                 | Fault::BarSprings { .. } => Severity::Doubtful,
                 Fault::Wanting { .. } | Fault::UnderSkin { .. } => fault.severity(),
                 Fault::Enters { .. } | Fault::Gouges { .. } | Fault::TapHole { .. } => Severity::Wrong,
@@ -70,6 +74,14 @@ pub(super) fn check<'a>(
             // What our own plans only doubt, the author may know better.
             if fault.severity() == Severity::Doubtful
                 && !matches!(fault, Fault::Wanting { .. } | Fault::UnderSkin { .. })
+            {
+                continue;
+            }
+            // A depth that is not written is ours.
+            let drills = |row: &Row| matches!(row.operation.value, Operation::Drill | Operation::DrillOut);
+            let mut drilled = context.stated.rows_of_hole(&hole.name).filter(|(_, row)| drills(row));
+            if matches!(fault, Fault::SolidCore { .. })
+                && !drilled.all(|(_, row)| row.figures.contains_key(&Quantity::Depth))
             {
                 continue;
             }

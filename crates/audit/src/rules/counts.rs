@@ -76,6 +76,8 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
         let milled = stated.mill_follows(&hole.name, at) && !hole.through;
         // Before a reamer a blind hole goes deeper, for its lead.
         let deeper = stated.reamer_follows(&hole.name, at) && !hole.through;
+        // Nor is the depth of the first of two drills that of the hole: its point may go as deep as the other's.
+        let deeper = deeper || !hole.through && stated.drilled_out(&hole.name, at).is_some();
         if axial && plain && !milled && !deeper {
             let mut depth = fixed_figure(&DEPTH, Id::new(scope, Q::Depth), hole.depth.to_mm(), []);
             if context.runs_out(hole, at) {

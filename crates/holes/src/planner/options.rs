@@ -366,7 +366,9 @@ fn options_as_drawn(
             options.impossible.extend(std::iter::once(Note::new("floor-not-flat")).chain(why));
         }
     }
+    // What opens a hole of the blank is refused for reasons of its own: the hole is there without a drill.
     if options.choices.is_empty()
+        && main.before.is_solid()
         && let Some(short) = too_short(&options.refused, all_drills, &drills, shop.machine.drill_max)
     {
         let needed = fitting.drill_reach(&main.place, short.diameter)?;

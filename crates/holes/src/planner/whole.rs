@@ -170,6 +170,7 @@ impl Finder<'_, '_> {
             self.flat_floor(&mut steps)?;
         }
         self.fitting.room_for_leads(&mut steps, main.flat);
+        self.fitting.pilots_to_the_point(&mut steps);
         for step in &mut steps {
             step.elsewhere |= step.operation == Operation::Tap && !self.shop.machine.can_tap;
         }

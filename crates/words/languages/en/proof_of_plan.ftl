@@ -10,6 +10,7 @@ proof-position-at-best = { $operation }: position of the axis ordinarily { $ordi
 proof-too-wide = { $operation } Ø{ $diameter }: the hole may be Ø{ $may_be } > Ø{ $limit }, its upper limit
 proof-not-finished = the last transition leaves Ø{ $left }, and the drawing requires Ø{ $smallest } to { $largest }
 proof-enters = { $operation }: the tool of Ø{ $tool } is wider than the finished hole, Ø{ $limit }
+proof-solid-core = { $operation }: below the point of the drill Ø{ $drill } { $core } mm of the blind hole are still solid > { $most } mm, as its own chisel edge presses: with its point at { $tip } mm it drills solid metal with the feed of drilling out; drill the first hole as deep as this point
 proof-gouges = { $operation }: on the shoulder at { $shoulder } mm the point of the drill is still Ø{ $crater } wide, and the hole below is Ø{ $below }: it leaves a crater in the shoulder; drill less wide or less deep, and mill or counterbore the rest
 proof-middle-in-metal = { $operation }: the mill Ø{ $tool } goes straight down into metal, and its end teeth need not reach its middle, up to Ø{ $middle }: take one with a tooth to the middle
 proof-middle-over-hole = { $operation }: the mill Ø{ $tool } goes straight down where only Ø{ $open } is open, and its end teeth need not reach its middle, up to Ø{ $middle }: take one with a tooth to the middle

@@ -112,6 +112,19 @@ impl Fitting<'_, '_> {
         }
     }
 
+    /// A drill that opens a blind hole finds the hole of the one before under its whole point: that one goes as deep with its
+    /// own, so that no core of solid metal is left to the feed of drilling out. Its cone then ends in that of the wider one.
+    pub fn pilots_to_the_point(&self, steps: &mut [RouteStep]) {
+        for at in 1..steps.len() {
+            let [.., first, second] = &mut steps[..=at] else { continue };
+            let opens = (first.operation, second.operation) == (Operation::Drill, Operation::DrillOut);
+            if opens && !second.place.through {
+                let point = second.place.depth + self.lead(second);
+                first.place.depth = first.place.depth.max(point - self.lead(first));
+            }
+        }
+    }
+
     /// Ends core drills, reamers and boring bars above a flat floor or shoulder that is cut already: they would meet it with
     /// nothing left to cut. A core drill leaves a ring of its lead, and no reamer goes below what is open. What stands is told of
     /// the last transition.

@@ -270,7 +270,7 @@ fn levels(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, findings: &mut Vec<Pr
     findings.push(finding);
 }
 
-/// Whether a blind hole is drilled right within the general tolerance of its depth, or under a thread as much deeper as
+/// Whether a blind hole is drilled right within the general tolerance of its depth, its first drill with its cylinder, or under a thread as much deeper as
 /// harms nothing. A flat floor is made as it is planned.
 fn within_depth(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, deepest: Micrometres) -> bool {
     let (part, transition) = (&input.plan.part, say.task.transition);
@@ -281,7 +281,13 @@ fn within_depth(say: &CutAtStop<'_, '_>, input: &ProofInput<'_>, deepest: Microm
     }
     let tolerance = input.tolerated.depth_of(transition.depth_mm);
     let deeper = hole.thread.as_ref().map(|thread| thread.pitch.half()).unwrap_or_default().max(tolerance);
-    (-deeper..=tolerance).contains(&(deepest - say.task.cycle.end))
+    // The first of two drills may end with the cylinder of the second, though its point is then short of the other's.
+    let planned = input.plan.holes.iter().find(|planned| planned.name == hole.name);
+    let rest = planned.and_then(|planned| planned.transitions.get(say.task.stop.transition + 1..));
+    let second = rest.and_then(|rest| rest.iter().find(|next| next.operation == Operation::DrillOut));
+    let first = transition.operation == Operation::Drill;
+    let point = second.filter(|_| first).map(|second| transition.depth_mm - second.depth_mm).unwrap_or_default();
+    (-deeper..=tolerance + point.max(Micrometres::ZERO)).contains(&(deepest - say.task.cycle.end))
 }
 
 /// Speed, feed, dwell, coolant.
