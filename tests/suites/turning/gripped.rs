@@ -135,4 +135,42 @@ fn a_program_stops_where_the_jaws_are_loosened() {
     assert!(notes.iter().any(|note| note.code() == "jaws-stop"));
 }
 
+/// By hand: a blade of 4 mm at 0.18 mm/rev in steel presses with 10·408·4^0.72·0.18^0.8 = 2808 N (×0.99 for 735 MPa) at Ø120, where
+/// the jaws grip, too: 2·2808/0.35 = 16 kN. The jaws that the bore is finished in hold far less and are tightened before the blade.
+#[test]
+fn jaws_loosened_for_a_bore_hold_the_blade_that_parts_it() {
+    let part = PARTED;
+    let operation = plan(&read_turned("part", part, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
+    let set_up = &operation.set_ups[0];
+    let (grip, parts) = (set_up.grip.as_ref().unwrap(), &set_up.jobs[set_up.jobs.len() - 1]);
+    assert_eq!(parts.work, Work::PartOff);
+    let needs = grip.required_by(parts).unwrap().0;
+    assert!((15_500.0..16_500.0).contains(&needs), "{needs}");
+    let last = grip.regrips(&set_up.jobs).pop().unwrap();
+    assert!(last.force.0 >= needs - 1.0 && !last.loosens && last.before == set_up.jobs.len() - 1, "{last:?}");
+}
+
+/// By hand: 33 mm of Ø40 at 40 kN hold 40000·(33 + 0.35·40)/(2·√3) = 543 N·m, half of it with the safety: 271 N·m less what the speed
+/// takes. A groove whose far corner is 92 mm from the face and a blade of 5 mm, 10·408·5^0.72·0.15^0.8 = 2850 N and its Py of some
+/// 1500 N at 20 mm and more before the jaws: the moment is told, not left at that of turning.
+#[test]
+fn a_blade_far_out_tips_the_part() {
+    let part = |width: &str| {
+        format!(
+            "shaft: Neck\nmaterial: steel-45\nblank: {{kind: bar, diameter: 40, length: 150, face: 2}}\nmachine: 16k20f3\nouter:\n  \
+             - {{from: {{d: 0, z: 0}}}}\n  - {{face: 36}}\n  - {{cylinder: -20}}\n{width}  - {{cylinder: -110}}\n"
+        )
+    };
+    let tips = |text: &str| {
+        let operation = plan(&read_turned("part", text, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
+        operation.set_ups[0].grip.as_ref().unwrap().tips_n_m.unwrap().0
+    };
+    let [plain, grooved] =
+        ["", "  - {groove: pulley, width: 12, depth: 6, angle: 38, radius: 1}\n"].map(|one| tips(&part(one)));
+    // At 20 to 32 mm from the face the blade is 92 mm and more before the middle of 33 mm of jaws: 3.2 kN · 0.09 m = 290 N·m.
+    assert!(grooved > plain && (200.0..330.0).contains(&grooved), "{plain} {grooved}");
+}
+
+const PARTED: &str = "shaft: Ring\nmaterial: steel-40x\nblank: {kind: tube, diameter: 120, bore: 90, length: 60, face: 1.5}\nmachine: 16k20f3\nouter:\n  - {from: {d: 96, z: 0}}\n  - {face: 116}\n  - {chamfer: 1}\n  - {cylinder: -20, name: od, grade: h7, roughness: Ra 1.6}\ninner:\n  - {from: {d: 96, z: 0}}\n  - {chamfer: 1}\n  - {cylinder: -20, name: id, grade: H7, roughness: Ra 1.6}\n";
+
 const RING: &str = "# thin-walled ring, bronze-less: aluminium, full grip\nshaft: Thin ring\nmaterial: aluminium-d16\nblank: {kind: tube, diameter: 105, bore: 85, length: 60, face: 2}\nmachine: 16k20f3\nouter:\n  - {from: {d: 94, z: 0}}\n  - {face: 100}\n  - {chamfer: 0.5}\n  - {cylinder: -25, name: seat, grade: h7, roughness: Ra 1.6}\ninner:\n  - {from: {d: 94, z: 0}}\n  - {chamfer: 0.5}\n  - {cylinder: -25, name: bore, grade: H7, roughness: Ra 1.6}\n";

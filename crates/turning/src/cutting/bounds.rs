@@ -11,10 +11,12 @@ use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::tables::lathes::LatheQuantity as Q;
 use crate::tables::rules::TurningChipWidthFor;
 use crate::tables::turning::tools::{InsertEdgeShare, Limit, TurningLimits};
+use crate::turning::length::Half;
 use crate::turning::tooling::{Shank, TurningTool};
 use crate::units::{Kilowatts, MetresPerMinute, Micrometres, MillimetresPerRev, NewtonMetres, Newtons, RevsPerMinute};
 use technolog_cutting::rpm_at;
 
+use super::conditions::BladeForce;
 use super::laws::{self, Component, ForceLaw};
 use super::{BarTooLong, CuttingRefusal, Direction, Flexibility, MissingFigure, TurningCut};
 
@@ -480,6 +482,27 @@ pub struct GripLimit {
     pub tips: Option<TipLimit>,
     /// The rows behind it.
     pub because: Vec<Because>,
+}
+
+impl GripLimit {
+    /// The speed up to which they hold a torque and a force along the axis, but not below that at the largest diameter of the cut; none
+    /// where they lose nothing.
+    pub fn held_up_to(&self, torque: NewtonMetres, along: Newtons, slowest: RevsPerMinute) -> Option<RevsPerMinute> {
+        let held = self.loss.reaches(self.most.0 - pull(torque, along, self.grips).0)?;
+        Some(RevsPerMinute(held.0.max(slowest.0)))
+    }
+}
+
+impl GripLimit {
+    /// Whether they hold a blade that plunges at a Z outside, at a speed.
+    pub fn holds(&self, blade: BladeForce, z: Half, rpm: RevsPerMinute) -> bool {
+        let upright = self.tips.is_none_or(|tips| {
+            let (lever, radius) = ((tips.lever_mm - z.to_mm()).max(0.0), blade.diameter.to_mm() / 2.0);
+            let moment = tipping(blade.main, blade.across, blade.along, lever, radius);
+            moment.0 + tips.loss.at(rpm) <= tips.most.0
+        });
+        upright && pull(blade.torque(1.0), blade.along, self.grips).0 + self.loss.at(rpm) <= self.most.0
+    }
 }
 
 /// What jaws hold against tipping.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::error::{Refusal, Tried};
+use crate::error::{KnowledgeError, Refusal, Tried};
 use crate::note::{Because, Finding, Note};
 use crate::tables::lathes::LatheQuantity;
 use crate::tables::practice::RoughOrFinish;
@@ -178,6 +178,49 @@ pub fn conditions(
         missing,
         because,
     })
+}
+
+/// What a blade presses on the part with as it plunges with its whole width: Pz around it, Py against the feed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BladeForce {
+    /// Pz.
+    pub main: Newtons,
+    /// Py across the axis.
+    pub across: Newtons,
+    /// Py along it, of a blade that is fed into a face.
+    pub along: Newtons,
+    /// The largest diameter of the cut.
+    pub diameter: Micrometres,
+}
+
+impl BladeForce {
+    /// The torque at a share of the largest diameter.
+    pub fn torque(self, share: f64) -> NewtonMetres {
+        NewtonMetres(bounds::torque(self.main, self.diameter).0 * share)
+    }
+}
+
+/// The forces of a blade at its feed and spindle speed; none where their figures are not known.
+///
+/// # Errors
+/// The knowledge base lacks a table.
+pub fn blade_force(
+    cut: &TurningCut<'_, '_>,
+    width: Micrometres,
+    feed: MillimetresPerRev,
+    rpm: RevsPerMinute,
+) -> Result<Option<BladeForce>, KnowledgeError> {
+    let forces = Forces::of(cut, feed)?;
+    let speed = speed_at(rpm, cut.diameter);
+    let [main, against] = [Component::Main, Component::Radial].map(|component| forces.at(component, width, speed));
+    let Some(main) = main else { return Ok(None) };
+    // Without Py the rest of it is known yet.
+    let against = against.unwrap_or_default();
+    let (across, along) = match cut.direction {
+        Direction::Transverse => (against, Newtons(0.0)),
+        Direction::Longitudinal => (Newtons(0.0), against),
+    };
+    Ok(Some(BladeForce { main, across, along, diameter: cut.diameter }))
 }
 
 /// A feed reduced until the part bears the cut: until it deflects within what is allowed, in finishing a share of its tolerance, and

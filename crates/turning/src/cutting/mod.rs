@@ -37,7 +37,7 @@ pub use bounds::{
     bar_clearance, bar_overhang, bar_reaches, jaw_clearance, largest_overhang, least_sensible_depth, soft_jaw_share,
     wall_share,
 };
-pub use conditions::{TurningConditions, conditions, within_part};
+pub use conditions::{BladeForce, TurningConditions, blade_force, conditions, within_part};
 pub use feed::{Feed, cuts_back, feed_of_nose, finish_feed, is_nose_bound, rough_feed, unsaid_roughness};
 pub use limit::{BoundTold, LimitingDepth, limiting_depth};
 pub use refusal::{BarTooLong, CuttingRefusal, FigureOwner, MissingFigure, NonPositive, Process};

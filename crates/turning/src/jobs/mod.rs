@@ -34,7 +34,7 @@ pub use site::Site;
 
 use crate::note::{Because, Note};
 use crate::turning::contour::{Side, SurfaceName};
-use crate::turning::cutting::TurningConditions;
+use crate::turning::cutting::{BladeForce, TurningConditions};
 use crate::turning::length::Half;
 use crate::turning::point::Vector;
 use crate::turning::tooling::{Hand, Place, Shank, ToolKind, TurningTool};
@@ -132,6 +132,9 @@ pub struct Job {
     /// The torque of a tap, which has no other conditions; none where it is not known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torque_n_m: Option<NewtonMetres>,
+    /// What the blade of a groove or of parting presses with, which has no other conditions; none where it is not known.
+    #[serde(skip)]
+    pub blade: Option<BladeForce>,
     /// Whether it is cut dry.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub dry: bool,
@@ -165,6 +168,7 @@ impl Job {
             conditions: None,
             thread: None,
             torque_n_m: None,
+            blade: None,
             dry: false,
             zone: None,
             notes: Vec::new(),

@@ -11,7 +11,7 @@ use crate::turning::point::Point;
 use crate::turning::program::{Feeds, Speed};
 use crate::turning::tooling::{Hand, Place, Spindle, ToolKind, TurningTool};
 use crate::turning::toolpath::{Purpose, Toolpath};
-use crate::units::{Micrometres, MillimetresPerRev, round_to};
+use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
 use technolog_cutting::speed_at;
 
 use super::groove::blade_pace;
@@ -80,7 +80,8 @@ pub fn part_off(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
         return Err(Refusal::Not(NoJob::JawsTooNear { gap: jaws - lead, least: gap }));
     }
     let cut = site::cut(&tool, parting.bar, Direction::Transverse, bench)?;
-    let pace = blade_pace(&cut, width)?;
+    let pace = blade_pace(&cut, width, bench.grip.as_ref().map(|grip| (grip, lead)))?;
+    let blade = pace.blade;
     because.extend(pace.because);
     let slow = limits.ratio(JobLimit::PartingSlowFeed)?;
     let inner = Half::radius_of(parting.bore);
@@ -95,7 +96,13 @@ pub fn part_off(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     path.go(at(parting.clear), Purpose::Rapid);
     let speed = match lathe.spindle {
         Spindle::Steps(_) => Speed::Spindle(pace.rpm),
-        Spindle::Range { max, .. } => Speed::whole(speed_at(pace.rpm, parting.bar), max),
+        Spindle::Range { max, .. } => {
+            // No faster than the jaws hold its whole pull.
+            let held = bench.grip.as_ref().zip(pace.blade).and_then(|(grip, blade)| {
+                grip.held_up_to(blade.torque(1.0), blade.along, pace.rpm).map(|rpm| libm::floor(rpm.0))
+            });
+            Speed::whole(speed_at(pace.rpm, parting.bar), RevsPerMinute(held.map_or(max.0, |held| held.min(max.0))))
+        }
     };
     let feeds = Feeds { infeed: MillimetresPerRev(round_to(pace.plunge.0 * slow, 4)), ..Feeds::all(pace.plunge) };
     let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
@@ -108,7 +115,7 @@ pub fn part_off(parting: &Parting, bench: &Bench<'_, '_>) -> Tried<Job, NoJob> {
     }
     because.extend(limits.because);
     let (surfaces, tool, pace) = (parting.surfaces.clone(), JobTool::of(&tool), Pace::PerRev { speed, feeds });
-    Ok(Job { surfaces, notes, because, ..Job::of(Work::PartOff, Side::Outer, tool, path, pace, rapid) })
+    Ok(Job { surfaces, blade, notes, because, ..Job::of(Work::PartOff, Side::Outer, tool, path, pace, rapid) })
 }
 
 /// The narrowest blade that is wide enough for the bar and long enough for its wall.

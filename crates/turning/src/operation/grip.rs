@@ -376,10 +376,15 @@ fn middle_mm(front: Half, over: Half) -> f64 {
 /// The moment with which a job tips the part around the middle of the grip, where it cuts farthest out of it: facing begins at the end
 /// of the stock. None if its forces are not known.
 fn tips(job: &Job, middle_mm: f64, ahead: Ahead) -> Option<NewtonMetres> {
-    let conditions = job.conditions.as_ref()?;
-    let (main, torque) = (conditions.main_force_n?, conditions.torque_n_m?);
-    let (feed, side) = (conditions.axial_force_n?, conditions.radial_force_n?);
-    let (along, across) = if job.work == Work::Face { (side, feed) } else { (feed, side) };
+    let (main, torque, along, across) = match (job.blade, job.conditions.as_ref()) {
+        (Some(blade), _) => (blade.main, blade.torque(1.0), blade.along, blade.across),
+        (None, Some(conditions)) => {
+            let (feed, side) = (conditions.axial_force_n?, conditions.radial_force_n?);
+            let (along, across) = if job.work == Work::Face { (side, feed) } else { (feed, side) };
+            (conditions.main_force_n?, conditions.torque_n_m?, along, across)
+        }
+        (None, None) => return None,
+    };
     let cuts = job.path.moves.iter().filter(|one| one.purpose != Purpose::Rapid);
     let first = cuts.map(|one| one.to.z).min()?;
     let first = if job.work == Work::Face { ahead.stock } else { first.max(ahead.face) };
@@ -404,8 +409,11 @@ fn pull_of(job: &Job, grips: Micrometres, share: f64) -> Option<f64> {
     if let Some(torque) = job.torque_n_m {
         return Some(turning_pull(torque, Newtons(0.0), grips).0);
     }
+    if let Some(blade) = job.blade {
+        return Some(turning_pull(blade.torque(share), blade.along, grips).0);
+    }
     let conditions = job.conditions.as_ref()?;
-    // Across the axis the feed is along X, and what acts along the axis is Py; a blade is fed against Py.
+    // Across the axis the feed is along X, and what acts along the axis is Py.
     let along = match job.work {
         Work::Face => conditions.radial_force_n,
         _ => conditions.axial_force_n,

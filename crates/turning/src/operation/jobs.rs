@@ -21,7 +21,7 @@ use super::finish::{finish, finish_hollow};
 use super::tools::Bench;
 use super::work::{Work, ZoneWork};
 use super::{Axial, SideWork, features};
-use crate::turning::cutting::{GripLimit, TurningConditions, pull};
+use crate::turning::cutting::{GripLimit, TurningConditions};
 
 /// The jobs of a set-up.
 ///
@@ -278,9 +278,7 @@ pub(super) fn constant_speed(pace: Pace, conditions: Option<&TurningConditions>,
 /// nothing.
 fn held_up_to(grip: &GripLimit, cut: &TurningConditions) -> Option<RevsPerMinute> {
     let along = [cut.axial_force_n?, cut.radial_force_n?].into_iter().max_by(|one, other| one.0.total_cmp(&other.0))?;
-    let left = grip.most.0 - pull(cut.torque_n_m?, along, grip.grips).0;
-    let held = grip.loss.reaches(left)?;
-    Some(RevsPerMinute(held.0.max(cut.spindle_rpm.0)))
+    grip.held_up_to(cut.torque_n_m?, along, cut.spindle_rpm)
 }
 
 /// Rates at a spindle speed, per revolution.

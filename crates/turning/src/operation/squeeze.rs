@@ -110,6 +110,9 @@ impl Squeeze {
         let bored = jobs.get(bore)?;
         let force = hardest(grip, bored)?;
         let lobes = |set: Newtons| self.ring.lobes_mm(grip.turning(set, bored));
+        // What follows is cut as the bore is, where that leaves it round: nothing is tightened on a finished bore without need.
+        let both = after.filter(|after| after.0 > force.0 && lobes(*after) <= allowed);
+        let force = both.unwrap_or(force);
         let loosens = lobes(force) <= allowed && lobes(grip.required_n) > allowed;
         loosens.then_some((force, after.filter(|after| after.0 > force.0)))
     }
@@ -130,7 +133,8 @@ impl Squeeze {
         let allowed = self.ring.allowed_mm(*tolerance);
         let bored = finishes_bore(jobs).and_then(|bore| jobs.get(bore)).unwrap_or_default();
         // Jaws that nothing is known of for finishing stay as they are.
-        let force = hardest(grip, bored).unwrap_or(grip.required_n);
+        let own = || hardest(grip, bored).unwrap_or(grip.required_n);
+        let force = grip.loosened.map_or_else(own, |(force, _)| force);
         let [tight, loosened] = [grip.required_n, force].map(|set| self.ring.lobes_mm(grip.turning(set, bored)));
         let told = |code: &'static str, lobes: f64, force: Newtons| {
             note(code)

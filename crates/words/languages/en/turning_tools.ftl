@@ -37,4 +37,5 @@ feed-of-nose = feed { $feed } mm/rev: the nose of { $radius } mm leaves no rough
 roughness-unsaid = the drawing says no roughness; finished as { $roughness }
 cuts-back = { $tool }: its second edge cuts on the way back, φ1 = { $angle }°
 cuts-not-back = { $tool }: its second edge would rub on the way back, φ1 = { $angle }°
+feed-within-jaws = feed { $feed } (of { $before }) mm/rev at { $rpm } rpm, so that the jaws hold the cut of the blade
 feed-within-part = feed { $feed } instead of { $before } mm/rev, so that the part bends within its share of the tolerance

@@ -8,7 +8,10 @@ use crate::note::{Because, Note};
 use crate::tables::cutting::{GroovingFeedFor, GroovingSpeedFor};
 use crate::tables::turning::jobs::{GroovingPracticeFor, JobLimit};
 use crate::turning::contour::Surface;
-use crate::turning::cutting::{Bound, CuttingRefusal, Direction, TurningCut, conditions, finish_feed, floor_bears};
+use crate::turning::cutting::{
+    BladeForce, Bound, CuttingRefusal, Direction, GripLimit, TurningCut, blade_force, conditions, finish_feed,
+    floor_bears,
+};
 use crate::turning::length::Half;
 use crate::turning::operation::tools::Bench;
 use crate::turning::program::{Feeds, Speed};
@@ -32,6 +35,8 @@ pub(super) struct Chosen<'k> {
     pub because: Vec<Because>,
     /// Whether it is a turning tool.
     pub by_nose: bool,
+    /// What a blade presses with.
+    pub blade: Option<BladeForce>,
 }
 
 /// The first tool that can cut it, or a blade of that name if it can; otherwise the reason of the last one.
@@ -160,7 +165,7 @@ fn by_blade<'k>(
     };
     let held = reaching(&tool, valley, division.approach);
     let cut = site::cut(&held, diameter, direction, bench)?;
-    let Pace { rpm, plunge, force, mut because } = pace(&cut, width, valley.lie, limits)?;
+    let Pace { rpm, plunge, force, blade, mut because } = pace(&cut, width, valley, limits, bench)?;
     if let Some(force) = force.filter(|_| valley.lie == Lie::Outside) {
         because.extend(bears(valley, &tool, width, force, bench)?);
     }
@@ -169,7 +174,7 @@ fn by_blade<'k>(
     // A layer loads the blade no more than a plunge does.
     let sideways = MillimetresPerRev(round_to((share * edge.width).min(plunge.0 * edge.width / layer), 4));
     let feeds = Feeds { finish: along, cut: sideways, semi_finish: along, ..Feeds::all(plunge) };
-    Ok(Chosen { ways, speed: Speed::Spindle(rpm), feeds, because, by_nose: false, tool })
+    Ok(Chosen { ways, speed: Speed::Spindle(rpm), feeds, because, by_nose: false, blade, tool })
 }
 
 /// That the floor of a groove bears the plunge of its blade, which no other law sees: the part is calculated without its grooves. Only
@@ -231,7 +236,7 @@ fn by_nose<'k>(
     let mut because = vec![taken(&tool)];
     because.extend(found.because);
     let (speed, feeds) = (Speed::Spindle(found.spindle_rpm), Feeds::all(found.feed_mm_per_rev));
-    Ok(Chosen { ways, speed, feeds, because, by_nose: true, tool })
+    Ok(Chosen { ways, speed, feeds, because, by_nose: true, blade: None, tool })
 }
 
 fn of_cutting(refusal: Refusal<CuttingRefusal>) -> Refusal<NoJob> {
@@ -329,22 +334,37 @@ pub(in super::super) struct Pace {
     pub plunge: MillimetresPerRev,
     /// What the blade presses with, Pz and Py together; none where its figures are not known.
     pub force: Option<Newtons>,
+    /// The same at the feed that is used, by its directions.
+    pub blade: Option<BladeForce>,
     pub because: Vec<Because>,
 }
 
 /// By the handbook, limited by the feed of the blade's maker; only by the maker if the handbook has no figures for
 /// the material. Slower in a bore and in a face.
-fn pace(cut: &TurningCut<'_, '_>, width: Micrometres, lie: Lie, limits: &mut Limits<'_>) -> Tried<Pace, NoJob> {
-    let mut pace = blade_pace(cut, width)?;
-    if lie != Lie::Outside {
+fn pace(
+    cut: &TurningCut<'_, '_>,
+    width: Micrometres,
+    valley: &Valley,
+    limits: &mut Limits<'_>,
+    bench: &Bench<'_, '_>,
+) -> Tried<Pace, NoJob> {
+    let first = valley.pieces.iter().map(|piece| piece.from.z).min().unwrap_or_default();
+    let jaws = bench.grip.as_ref().filter(|_| valley.lie == Lie::Outside).map(|grip| (grip, first.max(Half::ZERO)));
+    let mut pace = blade_pace(cut, width, jaws)?;
+    if valley.lie != Lie::Outside {
         let share = limits.ratio(JobLimit::InnerGroovingSpeed)?;
         pace.rpm = cut.lathe.spindle.at_most(RevsPerMinute(pace.rpm.0 * share));
     }
     Ok(pace)
 }
 
-/// The same without the factor for bore and face; used for parting too.
-pub(in super::super) fn blade_pace(cut: &TurningCut<'_, '_>, width: Micrometres) -> Tried<Pace, NoJob> {
+/// The same without the factor for bore and face; used for parting too. Jaws are given with the Z of the blade outside: where they do not
+/// hold it, its feed is less, in hundredths of a millimetre, down to the least of its maker.
+pub(in super::super) fn blade_pace(
+    cut: &TurningCut<'_, '_>,
+    width: Micrometres,
+    jaws: Option<(&GripLimit, Half)>,
+) -> Tried<Pace, NoJob> {
     let (knowledge, material_group) = (cut.knowledge, cut.material.group);
     let asked = knowledge.ask(&GroovingPracticeFor { material_group, width })?;
     let Some(maker) = asked.winner()? else {
@@ -364,12 +384,44 @@ pub(in super::super) fn blade_pace(cut: &TurningCut<'_, '_>, width: Micrometres)
         let plunge = MillimetresPerRev(found.feed_mm_per_rev.0.min(maker.feed_max.0));
         let both = found.main_force_n.zip(found.radial_force_n);
         let force = both.map(|(main, radial)| Newtons(libm::hypot(main.0, radial.0)));
-        return Ok(Pace { rpm: found.spindle_rpm, plunge, force, because });
+        let (rpm, plunge, blade) =
+            within_jaws(cut, width, (found.spindle_rpm, plunge), maker.feed_min, jaws, &mut because)?;
+        return Ok(Pace { rpm, plunge, force, blade, because });
     }
     let rpm = cut.lathe.spindle.at_most(rpm_at(maker.speed_min, diameter)).rounded(2);
     let (_, most) = if cut.direction == Direction::Transverse { cut.lathe.feed_x } else { cut.lathe.feed_z };
     let plunge = MillimetresPerRev(maker.feed_min.0.min(most.0 / rpm.0));
-    Ok(Pace { rpm, plunge, force: None, because })
+    let (rpm, plunge, blade) = within_jaws(cut, width, (rpm, plunge), maker.feed_min, jaws, &mut because)?;
+    Ok(Pace { rpm, plunge, force: None, blade, because })
+}
+
+/// The spindle speed and the feed at which jaws hold a blade, and its forces there: first it turns slower, down to half, because the speed
+/// takes force off the jaws; then it is fed less, too. Where they do not hold it even so, both stay as they are.
+fn within_jaws(
+    cut: &TurningCut<'_, '_>,
+    width: Micrometres,
+    (wanted, plunge): (RevsPerMinute, MillimetresPerRev),
+    least: MillimetresPerRev,
+    jaws: Option<(&GripLimit, Half)>,
+    because: &mut Vec<Because>,
+) -> Result<(RevsPerMinute, MillimetresPerRev, Option<BladeForce>), KnowledgeError> {
+    let usual = blade_force(cut, width, plunge, wanted)?;
+    let (Some((grip, z)), Some(_)) = (jaws, usual) else { return Ok((wanted, plunge, usual)) };
+    let mut feed = plunge;
+    while feed.0 >= least.0.min(plunge.0) {
+        for slower in (0..=5).map(|tenths| 1.0 - 0.1 * f64::from(tenths)) {
+            let rpm = cut.lathe.spindle.at_most(RevsPerMinute(wanted.0 * slower)).rounded(2);
+            let Some(blade) = blade_force(cut, width, feed, rpm)?.filter(|blade| grip.holds(*blade, z, rpm)) else {
+                continue;
+            };
+            let note = Note::new("feed-within-jaws").with("feed", feed.0).with("before", plunge.0);
+            let row = grip.because.last().filter(|_| rpm.0 < wanted.0 || feed.0 < plunge.0);
+            because.extend(row.map(|one| Because { note: note.with("rpm", rpm.0), ..one.clone() }));
+            return Ok((rpm, feed, Some(blade)));
+        }
+        feed = MillimetresPerRev(((feed.0 - 0.01) * 100.0).round() / 100.0);
+    }
+    Ok((wanted, plunge, usual))
 }
 
 /// Whether a table has figures for the material itself.

@@ -98,7 +98,7 @@ fn groove_by(site: Site<'_>, surface: &Surface, only: Option<&str>, bench: &Benc
     let lathe = site::lathe(bench)?;
     let valley = Valley::of(surface, site.side())?.between_shoulders(site.profile);
     let mut limits = Limits::of(bench.knowledge);
-    let Chosen { tool, ways, speed, feeds, mut because, by_nose } =
+    let Chosen { tool, ways, speed, feeds, mut because, by_nose, blade } =
         blades::choose(site, surface, &valley, only, &mut limits, bench)?;
     let (rates, _) = rates::of_table(bench.knowledge)?;
     let rapid = bench.workpiece.rates.map_or(lathe.rapid_z, |given| given.main.rapid);
@@ -130,7 +130,7 @@ fn groove_by(site: Site<'_>, surface: &Surface, only: Option<&str>, bench: &Benc
         notes.push(Note::new("groove-width-of-blade").with("surface", name));
     }
     let (surfaces, tool, pace) = (vec![name.clone()], JobTool::of(&tool), Pace::PerRev { speed, feeds });
-    Ok(Job { surfaces, notes, because, ..Job::of(Work::Groove, site.side(), tool, path, pace, rapid) })
+    Ok(Job { surfaces, blade, notes, because, ..Job::of(Work::Groove, site.side(), tool, path, pace, rapid) })
 }
 
 /// The note about the cutting of the groove. Plunges stand where the operator sees them: along Z, or at a diameter of a face.
