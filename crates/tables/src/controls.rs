@@ -85,6 +85,8 @@ vocabulary! {
         BoringShiftMost = "boring-shift-most",
         /// How far below a through hole a reamer goes at most over free room, mm.
         ReamerOverrunMost = "reamer-overrun-most",
+        /// How much wider than its hole a reamer is at most, mm.
+        ReamerStockMost = "reamer-stock-most",
         /// The greatest feed of a turn, mm.
         FeedOfTurnMost = "feed-of-turn-most",
         /// The least feed of a minute, mm.
@@ -111,6 +113,7 @@ impl Convention {
             | Self::KneeStep
             | Self::PeckMost
             | Self::ReamerOverrunMost
+            | Self::ReamerStockMost
             | Self::BoringShiftMost
             | Self::TapBesideHole
             | Self::FeedOfTurnMost

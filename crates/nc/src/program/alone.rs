@@ -48,6 +48,8 @@ pub(super) struct Habits {
     pub tap_hole: (f64, f64),
     /// How far beyond its hole a reamer may come out of a through one, mm.
     pub reamer_beyond: f64,
+    /// How much wider than its hole a reamer may be, mm.
+    pub reamer_stock: f64,
     /// How far a boring bar is drawn off the wall at most, mm.
     pub shift: f64,
     /// How many pitches a tap may come out of a through hole farther than the drill before it.
@@ -94,6 +96,7 @@ impl Habits {
             tap_hole: (figure(Convention::TapHoleMost)?, figure(Convention::TapHoleLeast)?),
             shift: figure(Convention::BoringShiftMost)?,
             reamer_beyond: figure(Convention::ReamerOverrunMost)?,
+            reamer_stock: figure(Convention::ReamerStockMost)?,
             tap_beyond: figure(Convention::TapBeyondDrill)?,
             tap_beside: figure(Convention::TapBesideHole)?,
             depth_beside: figure(Convention::DepthBesideMost)?,
@@ -290,7 +293,7 @@ impl Watch {
     /// A cut while the spindle turns counterclockwise. Left-hand tools are rare: a drill would be one that bores nothing but
     /// old bolts out, a mill may be one. The way up of a tap is none, and the way down of a left-hand one is not known yet.
     fn cuts_backwards(&mut self, upright: bool, block: BlockRef) {
-        if self.turning != Turning::Counterclockwise {
+        if self.turning != Turning::Counterclockwise || self.names.is_left_hand(self.tool) {
             return;
         }
         if !upright {
@@ -309,6 +312,9 @@ impl Watch {
             return;
         }
         self.backwards = None;
+        if down.turning == Turning::Clockwise && self.names.is_left_hand(self.tool) {
+            self.tell(block, "tap-turns-wrong", Note::new("tap-turns-wrong").with("tool", self.tool));
+        }
         let (of_feed, of_speed) = self.habits.overrides;
         let (feed, speed) = (down.feed / of_feed, down.speed / of_speed);
         // With a switch at nothing there is no feed for a turn.

@@ -98,6 +98,8 @@ pub(super) struct Measure {
     pub tap_hole: (f64, f64),
     /// How far beyond its hole a reamer may come out of a through one, mm.
     pub reamer_beyond: f64,
+    /// How much wider than its hole a reamer may be, mm.
+    pub reamer_stock: f64,
     /// What comments say of the tools.
     pub names: Names,
 }
@@ -238,7 +240,9 @@ impl Below {
         // What is certain needs no doubt.
         let certain = |block: BlockRef| {
             let known = of_holes.iter().filter(|(it, ..)| *it == block);
-            known.into_iter().any(|(_, code, _)| ["begins-in-metal", "rapid-into-floor"].contains(code))
+            known.into_iter().any(|(_, code, _)| {
+                ["begins-in-metal", "rapid-into-floor", "drill-at-rapid", "tap-begins-in-hole"].contains(code)
+            })
         };
         self.told.retain(|(block, code, _)| *code != "rapid-below-zero" || !certain(*block));
         of_holes.retain(|(_, code, note)| !self.told.iter().any(|(_, known, other)| known == code && other == note));

@@ -4,9 +4,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::below::{BELOW, Measure, Seen, ToldBelow};
+use super::widths;
 use crate::motion::{BlockRef, Motion, MotionStep, Position, Turning};
 use crate::note::Note;
-use crate::units::round_to;
+use crate::tables::audit::ToolKind;
+use crate::units::{Micrometres, round_to};
 
 /// Heights that differ by less are one, mm.
 const SAME: f64 = 0.01;
@@ -36,7 +38,7 @@ pub(super) struct Hole {
     pub milled: bool,
     untouched: bool,
     /// Whether a cycle made it.
-    in_cycle: bool,
+    pub in_cycle: bool,
     /// Feed for a turn of a tap, mm.
     pub pitch: Option<f64>,
     /// Feed for a turn on its way down, mm.
@@ -50,6 +52,20 @@ pub(super) struct Hole {
     /// Whether the tool went on sideways at feed.
     pub mills: bool,
     pub block: BlockRef,
+    /// How the tool had come below the zero at rapid there.
+    plunge: Option<Plunge>,
+}
+
+/// A way down at rapid below the zero at a place where its tool has made nothing yet, nor the program milled down to there.
+#[derive(Clone, Copy, Debug)]
+struct Plunge {
+    place: Place,
+    zero: Micrometres,
+    tool: u32,
+    z: f64,
+    block: BlockRef,
+    /// Whether nothing at all was cut there down to that height.
+    untouched: bool,
 }
 
 /// The holes of a program.
@@ -68,6 +84,10 @@ pub(super) struct Holes {
     per_turn: f64,
     turning: Option<Turning>,
     speed: f64,
+    /// The plunge at the place where the tool still is.
+    plunge: Option<Plunge>,
+    /// Those that the tool left upwards at rapid, with nothing fed there.
+    rammed: Vec<Plunge>,
 }
 
 impl Holes {
@@ -89,6 +109,7 @@ impl Holes {
                     hole.out_at_rapid = seen.in_cycle;
                 }
                 self.open &= upright;
+                self.plunges(step, place(seen.system, from), (before, z), seen, room);
             }
             Motion::Feed { feed_mm_per_min } if upright && z < before => {
                 self.per_turn = feed_mm_per_min.0 / self.speed;
@@ -102,7 +123,7 @@ impl Holes {
                 if let Some(hole) = self.last().filter(|hole| z < hole.begin) {
                     hole.mills = true;
                 }
-                self.open = false;
+                (self.open, self.plunge) = (false, None);
             }
             Motion::Spindle { turning, speed_rpm } => {
                 self.speed = speed_rpm.0;
@@ -115,12 +136,38 @@ impl Holes {
                     hole.pitch.get_or_insert(pitch);
                 }
             }
-            Motion::Stop { .. } => self.stops += 1,
+            Motion::Stop { .. } => {
+                self.stops += 1;
+                self.plunge = None;
+            }
             Motion::ToolChange { .. } | Motion::End => {
-                self.open = false;
+                (self.open, self.plunge) = (false, None);
                 self.section += 1;
             }
             _ => {}
+        }
+    }
+
+    /// A rapid; what a cycle does itself shows where its feed begins.
+    fn plunges(
+        &mut self,
+        step: &MotionStep,
+        from: Place,
+        (before, z): (f64, f64),
+        Seen { zero, system, tool, in_cycle }: Seen,
+        room: impl FnOnce(f64) -> (bool, bool),
+    ) {
+        let here = place(system, step.at);
+        self.plunge = self.plunge.filter(|plunge| plunge.place == here && plunge.zero == zero);
+        if in_cycle {
+            return;
+        }
+        if z > before {
+            self.rammed.extend(self.plunge.take().filter(|_| from == here && self.rammed.len() < MOST_TOLD));
+        } else if z < before && z < -BELOW && tool != 0 && !self.of(here).any(|hole| hole.section == self.section) {
+            let (milled, untouched) = room(z);
+            let plunge = Plunge { place: here, zero, tool, z, block: step.block, untouched };
+            self.plunge = Some(plunge).filter(|_| !milled);
         }
     }
 
@@ -144,14 +191,20 @@ impl Holes {
         place: Place,
         (begin, bottom): (f64, f64),
         block: BlockRef,
-        Seen { tool, in_cycle, .. }: Seen,
+        Seen { zero, tool, in_cycle, .. }: Seen,
         room: impl FnOnce(f64) -> (bool, bool),
     ) {
+        let plunge = self.plunge.take().filter(|plunge| plunge.place == place && plunge.zero == zero);
+        let per_turn = self.per_turn;
         let stops = self.stops;
         if let Some(hole) = self.last() {
             // From the beginning to the same depth once more: a step of a deep thread goes deeper.
             let whole = begin >= hole.begin - SAME && (bottom - hole.bottom).abs() <= SAME;
             hole.again |= (hole.pitch.is_some() || in_cycle) && whole && hole.stops == stops;
+            // What ended above the face was its way to it through the air.
+            if hole.bottom > -BELOW {
+                hole.per_turn = per_turn;
+            }
             hole.bottom = hole.bottom.min(bottom);
             return;
         }
@@ -176,6 +229,7 @@ impl Holes {
             stops,
             mills: false,
             block,
+            plunge,
         });
         self.open = true;
     }
@@ -183,14 +237,29 @@ impl Holes {
     /// What is told of them; `milled` says whether the program has milled a place down to a height.
     pub fn finish(&self, milled: impl Fn([f64; 2], f64) -> bool, measure: &Measure) -> Vec<ToldBelow> {
         let mut review = Review { all: self, milled, measure, told: Vec::new() };
+        let drills = self.rammed.iter().filter(|plunge| measure.names.kind(plunge.tool) == Some(ToolKind::Drill));
+        drills.filter(|plunge| plunge.untouched).for_each(|plunge| review.rams(*plunge));
         let level = |hole: &Hole, begin: f64| (hole.section, hole.place.0, hundredths(begin), hundredths(hole.bottom));
         let levels: BTreeSet<_> = self.holes.iter().map(|hole| level(hole, hole.begin)).collect();
         let taps = self.holes.iter().enumerate().filter(|(_, hole)| hole.pitch.is_some());
         let drilled: BTreeSet<usize> =
             taps.filter(|(at, hole)| review.drilled(*at, hole).is_some()).map(|(_, hole)| hole.section).collect();
+        let each = || self.holes.iter().enumerate();
+        let widened: BTreeSet<usize> =
+            each().filter(|(at, hole)| review.widens_drilled(*at, hole)).map(|(_, hole)| hole.section).collect();
         for (index, hole) in self.holes.iter().enumerate() {
+            if widened.contains(&hole.section) && widths::reams(&measure.names, hole) {
+                review.widens_nothing(index, hole);
+            }
             if hole.begin < -BELOW && !hole.milled {
                 review.begins_below(index, hole, levels.contains(&level(hole, -hole.begin)));
+            }
+            if let Some(plunge) = hole.plunge.filter(|plunge| plunge.untouched && hole.begin > -BELOW && !hole.mills) {
+                let kind = measure.names.kind(hole.tool);
+                let unnamed = kind.is_none() && hole.out_at_rapid && hole.pitch.is_none();
+                if kind == Some(ToolKind::Drill) || unnamed {
+                    review.rams(plunge);
+                }
             }
             match hole.pitch.filter(|pitch| pitch.is_finite()) {
                 Some(pitch) => review.tap(index, hole, pitch, drilled.contains(&hole.section)),
@@ -255,10 +324,20 @@ pub(super) struct Review<'a, M> {
 impl<'a, M: Fn([f64; 2], f64) -> bool> Review<'a, M> {
     /// Tells it once, with its figures.
     pub fn tell(&mut self, hole: &Hole, code: &'static str, figures: impl FnOnce(Note) -> Note) {
-        let note = figures(Note::new(code).with("tool", hole.tool));
+        self.tell_at(hole.block, code, figures(Note::new(code).with("tool", hole.tool)));
+    }
+
+    fn tell_at(&mut self, block: BlockRef, code: &'static str, note: Note) {
         if self.told.len() < MOST_TOLD && !self.told.iter().any(|(_, known, other)| *known == code && *other == note) {
-            self.told.push((hole.block, code, note));
+            self.told.push((block, code, note));
         }
+    }
+
+    /// A drill at rapid where no hole is yet.
+    fn rams(&mut self, plunge: Plunge) {
+        let code = "drill-at-rapid";
+        let note = Note::new(code).with("tool", plunge.tool).with("z", round_to(plunge.z, 3));
+        self.tell_at(plunge.block, code, note);
     }
 
     /// The holes made there later.
@@ -324,8 +403,11 @@ impl<'a, M: Fn([f64; 2], f64) -> bool> Review<'a, M> {
         if again || hole.again {
             self.tell(hole, "tap-again", |note| note.with("z", round_to(hole.bottom, 3)));
         }
-        if hole.begin < -BELOW && !hole.milled && self.only_drilled(index, hole) {
-            self.tell(hole, "tap-begins-in-hole", |note| note.with("z", round_to(hole.begin, 3)));
+        let begins = Some((hole.begin, hole.block)).filter(|_| hole.begin < -BELOW && !hole.milled);
+        let plunges = hole.plunge.map(|plunge| (plunge.z, plunge.block));
+        if let Some((z, block)) = plunges.or(begins).filter(|(z, _)| self.only_drilled(index, hole, *z)) {
+            let code = "tap-begins-in-hole";
+            self.tell_at(block, code, Note::new(code).with("tool", hole.tool).with("z", round_to(z, 3)));
         }
         match self.drilled(index, hole) {
             Some(bottom) if bottom > hole.bottom + SAME => {
@@ -340,12 +422,14 @@ impl<'a, M: Fn([f64; 2], f64) -> bool> Review<'a, M> {
         }
     }
 
-    /// Whether where the tap begins one drill was and nothing else: of two tools that went so deep one may have been a counterbore, and
-    /// so may one that came down below the zero.
-    fn only_drilled(&self, index: usize, hole: &Hole) -> bool {
-        let mut wide = self
-            .earlier(index, hole)
-            .filter(|other| other.section != hole.section && other.bottom <= hole.begin + BELOW);
+    /// Whether at that height, or on the floor above it, one drill was and nothing else: of two tools that went so deep one may have
+    /// been a counterbore, and so may one that came down below the zero.
+    fn only_drilled(&self, index: usize, hole: &Hole, z: f64) -> bool {
+        let others = || self.earlier(index, hole).filter(|other| other.section != hole.section);
+        let Some(floor) = others().map(|other| other.bottom).reduce(f64::min).filter(|floor| *floor < -BELOW) else {
+            return false;
+        };
+        let mut wide = others().filter(|other| other.bottom <= z.max(floor) + BELOW);
         matches!((wide.next(), wide.next()), (Some(only), None) if only.begin >= -BELOW && !only.mills)
     }
 

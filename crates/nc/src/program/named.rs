@@ -14,6 +14,7 @@ pub(super) struct Names {
     diameters: BTreeMap<u32, Vec<f64>>,
     edges: BTreeSet<u32>,
     kinds: BTreeMap<u32, BTreeSet<ToolKind>>,
+    left: BTreeSet<u32>,
 }
 
 /// A word of comments and the kind of tool that it names, the narrower before the wider.
@@ -26,7 +27,7 @@ pub(super) struct Thread {
     pub name: String,
     /// Its pitch, mm; the coarse one where the comment gives none.
     pub pitch: f64,
-    /// Its diameter, mm, where it is a metric one.
+    /// Its diameter, mm, where it is a metric one and not that in a wire insert.
     pub diameter: Option<f64>,
 }
 
@@ -67,6 +68,9 @@ impl Names {
                 if of_edges.iter().any(|word| says(&latin, word)) {
                     names.edges.insert(of);
                 }
+                if is_left_hand(&latin) {
+                    names.left.insert(of);
+                }
                 if let Some((_, kind)) = of_kinds.iter().find(|(word, _)| says(&latin, word)) {
                     names.kinds.entry(of).or_default().insert(*kind);
                 }
@@ -83,6 +87,11 @@ impl Names {
     pub fn kind(&self, tool: u32) -> Option<ToolKind> {
         let kinds = self.kinds.get(&tool)?;
         kinds.first().copied().filter(|_| kinds.len() == 1)
+    }
+
+    /// Whether a comment calls the tool left-hand.
+    pub fn is_left_hand(&self, tool: u32) -> bool {
+        self.left.contains(&tool)
     }
 
     /// The diameter of a tool, mm, where its comments give one and no other.
@@ -139,6 +148,20 @@ fn leading(text: &str) -> Option<(f64, &str)> {
     let (number, rest) = text.split_at_checked(end)?;
     let number = number.trim_end_matches([',', '.']).replace(',', ".");
     number.parse().ok().map(|number| (number, rest))
+}
+
+/// Whether a comment calls its tool left-hand: `TAP M8 LH`, `LH DRILL`, `LEFT-HAND TAP`. `LH HOLES` are those on the left.
+fn is_left_hand(comment: &str) -> bool {
+    ["LEFT HAND", "LEFT-HAND", "LH"].iter().any(|phrase| {
+        comment.match_indices(phrase).any(|(at, found)| {
+            let (before, behind) = (&comment[..at], &comment[at + found.len()..]);
+            let whole = !before.ends_with(|sign: char| sign.is_ascii_alphanumeric())
+                && !behind.starts_with(|sign: char| sign.is_ascii_alphanumeric());
+            let behind = behind.trim_start_matches([' ', '-']);
+            let of_tool = ["TAP", "DRILL", "THREAD", "MILL", "END MILL"].iter().any(|word| says(behind, word));
+            whole && (behind.is_empty() || of_tool && !behind.contains("HOLES"))
+        })
+    })
 }
 
 /// The whole number behind the first word of that letter.
@@ -206,12 +229,15 @@ fn metric(comment: &str, coarse: &[(f64, f64)], of_taps: &[String]) -> Option<Th
     let pitch = written.or(dashed.map(|(pitch, _)| pitch));
     let latin = ascii(comment);
     let named = of_taps.iter().any(|word| says(&latin, word));
+    // A tap for a wire insert is wider than the thread in the insert.
+    let of_insert = ["STI", "HELICOIL", "HELI-COIL", "INSERT", "EG"].iter().any(|word| says(&latin, word));
+    let diameter = Some(size).filter(|_| !of_insert);
     match pitch {
-        Some(pitch) if pitch > 0.0 => Some(Thread { name: format!("M{size}x{pitch}"), pitch, diameter: Some(size) }),
+        Some(pitch) if pitch > 0.0 => Some(Thread { name: format!("M{size}x{pitch}"), pitch, diameter }),
         Some(_) => None,
         None => {
             let (_, pitch) = coarse.iter().find(|(known, _)| *known == size && named)?;
-            Some(Thread { name: format!("M{size}"), pitch: *pitch, diameter: Some(size) })
+            Some(Thread { name: format!("M{size}"), pitch: *pitch, diameter })
         }
     }
 }
@@ -255,6 +281,21 @@ mod tests {
             ("END MILL", None),
         ] {
             assert_eq!(diameter(comment), expected, "{comment}");
+        }
+    }
+
+    #[test]
+    fn comments_name_the_hand() {
+        for (comment, expected) in [
+            ("TAP M8 LH", true),
+            ("LH DRILL D6 EXTRACTOR", true),
+            ("LEFT-HAND TAP M8", true),
+            ("TAP M8 LH HOLES", false),
+            ("TAP LH SIDE", false),
+            ("TAP M8 LHS", false),
+            ("TAP M8 RH", false),
+        ] {
+            assert_eq!(is_left_hand(comment), expected, "{comment}");
         }
     }
 

@@ -77,6 +77,7 @@ impl<'a, S: Sink> Running<'a, S> {
             drill_feed: habits.drill_feed,
             tap_hole: habits.tap_hole,
             reamer_beyond: habits.reamer_beyond,
+            reamer_stock: habits.reamer_stock,
             names: names.clone(),
         });
         let watch = Watch::new(habits, names.clone());

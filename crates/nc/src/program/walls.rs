@@ -19,6 +19,8 @@ const NEAR: f64 = 0.05;
 const OUT: f64 = 1.0;
 /// Half the width of a hole of a tool that is not named, as a part of the way to the next one of that tool.
 const OF_PITCH: f64 = 0.4;
+/// How near its middle a tool crosses the ring that it has cut, as a part of its radius: no boss is left there then.
+const MIDDLE: f64 = 0.1;
 /// How far over its face a feed begins at most, mm: over a rough one, by the rule `approach`.
 const OVER_FACE: f64 = 10.0;
 
@@ -39,6 +41,14 @@ struct Hole {
     round: bool,
 }
 
+/// A ring that a tool cuts about a point, in turns down from the face.
+#[derive(Clone, Copy, Debug)]
+struct Ring {
+    centre: Point,
+    turn: f64,
+    bottom: f64,
+}
+
 /// Watches the walls of the holes of a program.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Walls {
@@ -48,6 +58,8 @@ pub(super) struct Walls {
     section: usize,
     /// Where the tool came below the zero.
     down: Option<Point>,
+    /// The ring in progress.
+    ring: Option<Ring>,
     /// Where a rapid sideways below the zero has ended, how high, and its block.
     across: Option<(Point, f64, BlockRef)>,
     /// A rapid into the floor of a hole, told where the tool then cuts.
@@ -76,6 +88,7 @@ impl Walls {
         match &step.motion {
             Motion::Rapid if sideways => {
                 self.closes();
+                self.ring = None;
                 let high = before.max(z);
                 self.across = None;
                 if high < -BELOW && seen.tool != 0 {
@@ -115,6 +128,7 @@ impl Walls {
                 (self.open, self.across) = (None, None);
                 let centre = centre.map(|along| along.to_mm());
                 let turn = apart(from, centre);
+                self.winds((centre, turn), from == to, (before, z));
                 let inside = self.down.is_some_and(|down| apart(down, centre) < turn - NEAR);
                 if from == to && z < -BELOW && before == z && inside {
                     let radius = radius.map(|radius| radius + turn);
@@ -134,14 +148,29 @@ impl Walls {
             Motion::Feed { .. } | Motion::Arc { .. } => {
                 self.cuts(seen);
                 (self.open, self.across) = (None, None);
+                let crossed = |ring: &Ring| apart(to, ring.centre) < MIDDLE * ring.turn && z <= ring.bottom + NEAR;
+                if let Some(Ring { centre, turn, bottom }) = self.ring.take().filter(crossed) {
+                    let radius = radius.map(|radius| radius + turn);
+                    let (system, section) = (seen.system, self.section);
+                    let round = Hole { system, section, centre, inside: turn, radius, top: 0.0, bottom, round: true };
+                    self.keeps(round);
+                }
             }
             Motion::ToolChange { .. } | Motion::End => {
                 self.closes();
-                (self.down, self.across, self.floor) = (None, None, None);
+                (self.down, self.across, self.floor, self.ring) = (None, None, None, None);
                 self.section += 1;
             }
             _ => {}
         }
+    }
+
+    /// An arc: whole turns about one point, down from the face, cut a ring in metal, from which the tool may go into its middle.
+    fn winds(&mut self, (centre, turn): (Point, f64), whole: bool, (before, z): (f64, f64)) {
+        let goes_on = |ring: &Ring| apart(ring.centre, centre) < NEAR && (ring.turn - turn).abs() < NEAR;
+        let ring = self.ring.take().filter(|ring| goes_on(ring) && z <= ring.bottom);
+        let begins = before >= -BELOW && z < before;
+        self.ring = Some(Ring { centre, turn, bottom: z }).filter(|_| whole && (ring.is_some() || begins));
     }
 
     fn keeps(&mut self, hole: Hole) {

@@ -29,6 +29,17 @@ fn width(names: &Names, tool: u32) -> Option<(f64, f64)> {
     }
 }
 
+/// Whether its tool only marks a place or breaks an edge.
+fn marks(names: &Names, hole: &Hole) -> bool {
+    let kind = names.kind(hole.tool);
+    matches!(kind, Some(ToolKind::Centring | ToolKind::Countersink | ToolKind::Chamfer))
+}
+
+/// Whether its tool is a reamer. Of the holes of a core drill some may be cast.
+pub(super) fn reams(names: &Names, hole: &Hole) -> bool {
+    names.kind(hole.tool) == Some(ToolKind::Ream)
+}
+
 /// The width of the widest of these holes that goes down to there, where all of them are known.
 fn widest<'h>(names: &Names, holes: impl Iterator<Item = &'h Hole>, z: f64) -> Option<f64> {
     let mut most = None::<f64>;
@@ -87,15 +98,26 @@ impl<M: Fn([f64; 2], f64) -> bool> Review<'_, M> {
         }
         match kind {
             Some(ToolKind::Tap) => self.hole_of_thread(index, hole),
-            Some(ToolKind::Ream | ToolKind::CoreDrill) => self.deeper_than_hole(index, hole),
+            Some(kind @ (ToolKind::Ream | ToolKind::CoreDrill | ToolKind::Bore)) => {
+                self.deeper_than_hole(index, hole, kind);
+                if kind == ToolKind::Ream {
+                    self.hole_of_reamer(index, hole);
+                }
+            }
             _ => {}
         }
         self.made_later(index, hole, kind);
     }
 
-    /// A feed for a turn that no table gives a drill. Drilling out is fed up to twice as fast as drilling (table `feed-step`).
+    /// A feed for a turn that no table gives a drill. Drilling out is fed up to twice as fast as drilling (table `feed-step`); what
+    /// only marks the place or breaks its edge is drilled as solid metal.
     fn feed_of_drill(&mut self, index: usize, hole: &Hole, diameter: f64, kind: Option<ToolKind>) {
-        let drilled_out = self.earlier(index, hole).any(|other| other.section != hole.section);
+        // A feed by hand that ends above the zero may be a way through the air.
+        if hole.bottom > -BELOW && !hole.in_cycle {
+            return;
+        }
+        let names = &self.measure.names;
+        let drilled_out = self.earlier(index, hole).any(|other| other.section != hole.section && !marks(names, other));
         let most = self.measure.drill_feed * diameter * if drilled_out { 2.0 } else { 1.0 };
         if kind == Some(ToolKind::Drill) && hole.pitch.is_none() && hole.per_turn.is_finite() && hole.per_turn > most {
             let feed = round_to(hole.per_turn, 3);
@@ -125,10 +147,17 @@ impl<M: Fn([f64; 2], f64) -> bool> Review<'_, M> {
         if threads.iter().any(|other| *other != thread) {
             return;
         }
-        let there = self.earlier(index, hole).filter(|other| other.section != hole.section);
+        let there = || self.earlier(index, hole).filter(|other| other.section != hole.section);
         let beyond = self.measure.beyond * thread.pitch;
-        let Some(drilled) = widest(&self.measure.names, there, hole.bottom + beyond) else { return };
+        let Some(drilled) = widest(&self.measure.names, there(), hole.bottom + beyond) else { return };
         let (least, most) = self.measure.tap_hole;
+        // A wide hole over that of the thread does not go down to its end.
+        if let Some(drilled) = widest(&self.measure.names, there(), hole.bottom).filter(|drilled| *drilled >= size) {
+            let needed = round_to(size - thread.pitch, 2);
+            let figures =
+                |note: Note| note.with("thread", thread.name).with("diameter", drilled).with("needed", needed);
+            return self.tell(hole, "tap-hole-no-thread", figures);
+        }
         let code = if drilled < size - most * thread.pitch {
             "tap-hole-narrow"
         } else if drilled > size - least * thread.pitch {
@@ -140,12 +169,47 @@ impl<M: Fn([f64; 2], f64) -> bool> Review<'_, M> {
         self.tell(hole, code, |note| note.with("thread", thread.name).with("diameter", drilled).with("needed", needed));
     }
 
-    /// A tool that only widens holes, fed deeper than the hole.
-    fn deeper_than_hole(&mut self, index: usize, hole: &Hole) {
+    /// A reamer in a hole that is no narrower than it, or narrower by more than reamers take.
+    fn hole_of_reamer(&mut self, index: usize, hole: &Hole) {
+        let names = &self.measure.names;
+        let Some(own) = names.diameter(hole.tool) else { return };
+        let there = self.earlier(index, hole).filter(|other| other.section != hole.section);
+        let Some(drilled) = widest(names, there, hole.bottom) else { return };
+        let code = if drilled > own + SAME {
+            "ream-hole-wide"
+        } else if own - drilled > self.measure.reamer_stock {
+            "ream-hole-narrow"
+        } else {
+            return;
+        };
+        let most = self.measure.reamer_stock;
+        self.tell(hole, code, |note| note.with("diameter", own).with("other", drilled).with("most", most));
+    }
+
+    /// A reamer where nothing was made, while other holes were drilled for it.
+    pub fn widens_nothing(&mut self, index: usize, hole: &Hole) {
+        let others = |other: &&Hole| other.section != hole.section;
+        let made = self.earlier(index, hole).any(|other| others(&other) && !marks(&self.measure.names, other));
+        if !made && !self.later(index, hole).any(|other| others(&other)) && !hole.mills && !self.is_milled(hole) {
+            self.tell(hole, "widens-no-hole", |note| note);
+        }
+    }
+
+    /// Whether it is a reamer in a hole that a drill of the program made.
+    pub fn widens_drilled(&self, index: usize, hole: &Hole) -> bool {
+        let names = &self.measure.names;
+        let drilled = |other: &Hole| names.kind(other.tool) == Some(ToolKind::Drill) && other.section != hole.section;
+        reams(names, hole) && self.earlier(index, hole).any(drilled)
+    }
+
+    /// A tool that only widens holes, fed deeper than the hole. A boring bar may go down what was cast.
+    fn deeper_than_hole(&mut self, index: usize, hole: &Hole, kind: ToolKind) {
         let there = || self.earlier(index, hole).filter(|other| other.section != hole.section && !other.mills);
         let names = &self.measure.names;
-        let drilled = there().any(|other| {
-            matches!(names.kind(other.tool), Some(ToolKind::Drill | ToolKind::CoreDrill | ToolKind::Bore))
+        let drilled = there().any(|other| match names.kind(other.tool) {
+            Some(ToolKind::Drill) => true,
+            Some(ToolKind::CoreDrill | ToolKind::Bore) => kind != ToolKind::Bore,
+            _ => false,
         });
         let Some(bottom) = there().map(|other| other.bottom).reduce(f64::min).filter(|_| drilled) else { return };
         if bottom <= hole.bottom + SAME || self.is_milled(hole) {
@@ -164,11 +228,7 @@ impl<M: Fn([f64; 2], f64) -> bool> Review<'_, M> {
             _ => return,
         };
         let names = &self.measure.names;
-        let marks = |other: &Hole| {
-            let kind = names.kind(other.tool);
-            matches!(kind, Some(ToolKind::Centring | ToolKind::Countersink | ToolKind::Chamfer))
-        };
-        let others = |other: &&Hole| other.section != hole.section && !marks(other);
+        let others = |other: &&Hole| other.section != hole.section && !marks(names, other);
         let drilled = |other: &Hole| names.kind(other.tool) == Some(ToolKind::Drill) && other.stops == hole.stops;
         let later = self.later(index, hole).filter(others).find(|other| drilled(other)).copied();
         let Some(later) = later.filter(|_| !self.earlier(index, hole).any(|other| others(&other))) else { return };

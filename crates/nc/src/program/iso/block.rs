@@ -316,7 +316,26 @@ impl Maker<'_> {
             let leaves = self.control.is(Q::StopLeavesSpindle);
             self.fault(if leaves { "stop-turning" } else { "stop-turning-maybe" }, span);
         }
+        self.other_tool_by_hand(span);
         self.push(Motion::Stop { optional });
+    }
+
+    /// A stop behind another T, in a program that has brought no tool by M6: the operator changes it.
+    fn other_tool_by_hand(&mut self, span: TextSpan) {
+        let wanted = self.state.wanted;
+        if self.state.tool != 0 || wanted == 0 || wanted == self.state.by_hand {
+            return;
+        }
+        // The first one stands there already, for all that is known.
+        if std::mem::replace(&mut self.state.by_hand, wanted) == 0 {
+            return;
+        }
+        let floating = self.state.floating[Axis::Z.index()];
+        let low = self.state.stay.at_change(self.state.at.z, floating).filter(|_| !self.state.z_on_machine);
+        if let Some(code) = low {
+            self.fault(code, span).of_program_alone = true;
+        }
+        self.state.stay = Stay::comes(self.state.at, floating);
     }
 
     /// T and M0: the operator changes the tool, and a spindle that the control does not stop would meet the hand.

@@ -69,6 +69,7 @@ pub(super) const RULES: &[Rule] = &[
     ("rapid-into-floor", Wrong, "motions"),
     ("rapid-into-narrower", Wrong, "motions"),
     ("drill-feed", Wrong, "motions"),
+    ("drill-at-rapid", Wrong, "motions"),
     ("feed-tenfold", Warning, "motions"),
     ("begins-in-metal", Wrong, "motions"),
     ("depth-tenfold", Wrong, "motions"),
@@ -153,6 +154,11 @@ pub(super) const RULES: &[Rule] = &[
     ("tap-feed-odd", Warning, "cycles"),
     ("tap-hole-narrow", Wrong, "cycles"),
     ("tap-hole-wide", Warning, "cycles"),
+    ("tap-hole-no-thread", Wrong, "cycles"),
+    ("tap-turns-wrong", Wrong, "cycles"),
+    ("ream-hole-wide", Wrong, "cycles"),
+    ("ream-hole-narrow", Wrong, "cycles"),
+    ("widens-no-hole", Wrong, "cycles"),
     ("widens-beyond-hole", Wrong, "cycles"),
     ("widens-beyond-hole-maybe", Warning, "cycles"),
     ("hole-made-later", Wrong, "cycles"),
@@ -164,7 +170,7 @@ pub(super) const RULES: &[Rule] = &[
     ("tap-beside-hole", Wrong, "cycles"),
     ("tap-again", Wrong, "cycles"),
     ("hole-again", Warning, "cycles"),
-    ("tap-begins-in-hole", Warning, "cycles"),
+    ("tap-begins-in-hole", Wrong, "cycles"),
     ("tap-in-drill-cycle", Wrong, "cycles"),
 ];
 

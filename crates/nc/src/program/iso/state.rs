@@ -55,6 +55,8 @@ pub(super) struct ControlState {
     pub kept: Vec<Option<Kept>>,
     /// T: the tool that the next M6 brings.
     pub wanted: u32,
+    /// The tool that the operator has put in at a stop, where no M6 did.
+    pub by_hand: u32,
     /// Whether a T has named it; T0 of LinuxCNC takes the tool out.
     pub tool_named: bool,
     /// The tool in the spindle.
@@ -113,6 +115,7 @@ impl ControlState {
             coolant: false,
             kept: Vec::new(),
             wanted: 0,
+            by_hand: 0,
             tool_named: false,
             tool: 0,
             registers: Registers::default(),
