@@ -209,3 +209,18 @@ fn a_program_of_another_part_is_told() {
     let audit = audited("plate.nc", &text("plate-corner-zero.nc"), "fanuc", Some(&part));
     assert!(audit.findings.iter().any(|one| one.rule == "audit-program-nowhere" && one.severity == Severity::Doubtful));
 }
+
+/// One length without its point keeps the control from counting any; the route that the program states is read and judged all the same, and
+/// only the point is missing.
+#[test]
+fn a_forgotten_point_does_not_take_the_route_away() {
+    let (program, part) = (text("plate-corner-zero.nc"), read(&text("plate.yaml")));
+    let (from, to) = ("R3. Q15. F160.", "R3. Q15 F160.");
+    assert_eq!(program.matches(from).count(), 1);
+    let audit = |text: &str| audited("plate-corner-zero.nc", text, "fanuc", Some(&part));
+    let (whole, forgotten) = (audit(&program), audit(&program.replace(from, to)));
+    let missing = |audit: &Audit| audit.coverage.iter().map(|own| (own.part, own.missing)).collect::<Vec<_>>();
+    assert_eq!(missing(&forgotten), missing(&whole));
+    assert_eq!(grave(&forgotten).len(), 1, "{:?}", grave(&forgotten));
+    assert!(grave(&forgotten).iter().all(|one| one.contains("point-missing")), "{:?}", grave(&forgotten));
+}

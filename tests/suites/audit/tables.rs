@@ -382,3 +382,29 @@ fn impossible_figures_are_slips() {
     assert_eq!(of(&right.replacen("distance: 283", "distance: 0", 1)), ["audit-impossible distance 0"]);
     assert_eq!(of(&right.replacen("count: 6", "count: 6.5", 1)), ["audit-impossible count 6.5"]);
 }
+
+/// A list that names its part in a line above may name holes by their size, too: a hole, a thread; a size that no hole has is told once,
+/// whatever rows stand below it.
+#[test]
+fn holes_are_named_by_their_size_whoever_names_the_part() {
+    let part = "part: P\nmaterial: steel-45\nblank: {kind: plate, length: 99, width: 99, thickness: 20}\nmachine: gf2171\nholes:\n  \
+                - {name: A, diameter: 10H7, through: true, roughness: Ra 1.6, centre_tolerance: 0.1, at: [[0, 0]]}\n  \
+                - {name: M, thread: M8, through: true, depth: 20, centre_tolerance: 0.4, at: [[20, 0]]}\n";
+    let files = |_: &str| Ok(part.to_owned());
+    let read = |last: &str| {
+        let text = format!(
+            "Деталь;p.yaml\nОтвір;Перехід;Діаметр;Інструмент\nØ10H7;центрування;5;035-2317-0102\n;свердління;9,8;035-2300-1271\n\
+             {last};центрування;5;035-2317-0102\n;свердління;6,8;035-2300-1242\n"
+        );
+        let sheets = sheets::read(Kind::Csv, text.as_bytes()).unwrap();
+        read_table("list.csv", &sheets, None, &KNOWLEDGE, &files)
+    };
+    for thread in ["M8", "М8", "M"] {
+        let stated = read(thread).unwrap_or_else(|why| panic!("{thread}: {why:?}"));
+        assert_eq!((stated.rows_of_hole("A").count(), stated.rows_of_hole("M").count()), (2, 2), "{thread}");
+    }
+    for unknown in ["M10", "Ø11H7"] {
+        let told = read(unknown).unwrap_err().problems;
+        assert_eq!(told.iter().map(|one| one.code).collect::<Vec<_>>(), ["unknown-hole"], "{unknown}");
+    }
+}

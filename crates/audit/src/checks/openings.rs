@@ -16,7 +16,6 @@ use super::super::finding::{AuditFinding, FindingKind, Section};
 use super::super::graph::Graph;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::super::roots;
-use super::super::rules::counts::PASS_DIAMETER;
 use super::super::stated::Row;
 use super::route::hole_subject;
 
@@ -173,7 +172,7 @@ fn asked_for(
         let note = Note::new("audit-opening-diameter").with("feature", Figure::word(opening.feature.name()));
         let finding = AuditFinding::new(Severity::Wrong, Section::Route, field("diameter"), note);
         findings.push(about(with_right_value(finding, figure, opening.diameter, Q::Diameter)));
-        right_by_drawing(context, at, opening.diameter, findings);
+        right_by_drawing(context, graph, at, opening.diameter, findings);
     }
     if let (Some(figure), Some(depth)) = (row.figures.get(&Q::Depth), opening.depth)
         && graph.formula(id(Q::Depth)).is_none()
@@ -186,20 +185,27 @@ fn asked_for(
     }
 }
 
-/// Conditions that state the diameter of the drawing are right although the row states another.
+/// Conditions that state the diameter of the drawing are right although the row states another, and so is every figure
+/// of them that was computed from it.
 pub(super) fn right_by_drawing(
     context: &Context<'_>,
+    graph: &Graph<'_>,
     row: usize,
     right: Micrometres,
     findings: &mut Vec<AuditFinding>,
 ) {
+    let other = Some((Id::new(Scope::Row(row), Q::Diameter), right.to_mm()));
     for (at, conditions) in context.stated.conditions.iter().enumerate() {
-        let same = |own: f64| Micrometres::from_mm_rounded(own) == right;
-        if conditions.rows.first() == Some(&row)
-            && conditions.figures.get(&Q::Diameter).is_some_and(|figure| same(figure.value))
-        {
-            let field = context.field(Id::new(Scope::Conditions(at), Q::Diameter));
-            roots::retract(findings, &field, &PASS_DIAMETER);
+        if conditions.rows.first() != Some(&row) {
+            continue;
+        }
+        for quantity in conditions.figures.keys() {
+            let id = Id::new(Scope::Conditions(at), *quantity);
+            if graph.fits_if(id, other) == Some(true)
+                && let Some(formula) = graph.formula(id)
+            {
+                roots::retract(findings, &context.field(id), formula.rule);
+            }
         }
     }
 }

@@ -163,7 +163,8 @@ impl Group<'_, '_> {
         let printed = self.answer.row.map_or_else(String::new, |row| row.table.id.clone());
         let note = Note::new("audit-scheme-uncentred").with("stated", name).with("printed", printed);
         let centred = table_answer::centred(&full(name), &self.context.shop)?;
-        let mut finding = self.finding_of(severity, row, "scheme", note, (&centred, "A.7")).with_values(name, &centred);
+        let mut finding =
+            self.finding_of(severity, row, "scheme", note, (&centred, SCHEMES)).with_values(name, &centred);
         finding.because.clear();
         finding.because.extend(self.answer.row.map(|row| Because::row(row, Note::new("named"))));
         finding.because.push(self.answer.centring.clone());
@@ -236,20 +237,18 @@ impl Group<'_, '_> {
             main(&here.map(|made| made.operation).collect::<Vec<_>>()) == main(&stated)
         };
         let others = || self.route.alternatives.iter().enumerate();
-        // What the tables leave to another machine has no time to compare.
-        let can_be = |other: &Alternative| other.meets && (other.time_min.is_some() || other.finishes_elsewhere());
         let ranked = others().find(|(_, other)| alike(other) && can_be(other)).filter(|_| !merged);
         if let Some((rank, other)) = ranked {
             let (severity, note) = self.dominated(rank, other)?;
             findings.push(finding(severity, note));
             return Ok(());
         }
-        if let Some(table) = self.word_for_word(&stated, scheme)? {
+        if let Some(given) = self.word_for_word(&stated, scheme)? {
             if let Some(alone) = self.drill_alone()? {
                 findings.push(alone);
                 return Ok(());
             }
-            let own = scheme.map_or(self.route.scheme.as_str(), |scheme| scheme.value.as_str());
+            let own = scheme.map_or(given.as_str(), |scheme| scheme.value.as_str());
             let other = others().find(|(_, other)| same_scheme(own, &other.scheme) && can_be(other));
             let same = self.means(own, &self.route.scheme)?;
             findings.push(match other.filter(|_| !same) {
@@ -259,7 +258,7 @@ impl Group<'_, '_> {
                 }
                 None => {
                     let severity = if same { Severity::Note } else { Severity::Doubtful };
-                    finding(severity, Note::new("audit-route-by-scheme").with("stated", own).with("printed", table))
+                    finding(severity, Note::new("audit-route-by-scheme").with("stated", own).with("printed", SCHEMES))
                 }
             });
             return Ok(());
@@ -284,36 +283,36 @@ impl Group<'_, '_> {
         Ok((severity, Note::new(code).with("rank", rank + 2).with("slower", round_to(slower, 2))))
     }
 
-    /// The table A.7, where the rows are the transitions that it gives for the scheme they name, or, where they name
-    /// none, for a permitted scheme. Two drills count as one drilling.
-    fn word_for_word(
-        &self,
-        stated: &[Operation],
-        scheme: Option<&Text>,
-    ) -> Result<Option<&'static str>, KnowledgeError> {
-        let of_tables =
-            self.route.alternatives.iter().filter(|other| other.source == RouteSource::Tables && other.meets);
-        let mut schemes: Vec<&str> = of_tables.map(|other| other.scheme.as_str()).collect();
-        schemes.extend(Some(self.route.scheme.as_str()).filter(|_| self.route.source == RouteSource::Tables));
+    /// The scheme whose transitions by A.7 the rows are: the one that they name, or, where they name none, a permitted
+    /// one. Two drills count as one drilling.
+    fn word_for_word(&self, stated: &[Operation], scheme: Option<&Text>) -> Result<Option<String>, KnowledgeError> {
+        // What the search finds is a scheme of A.7, too, where it does no more than that one.
+        let by_name = |source, table: &str| source == RouteSource::Tables || same_table(table, SCHEMES);
+        let mut schemes: Vec<&str> = Vec::new();
+        schemes.extend(Some(self.route.scheme.as_str()).filter(|_| by_name(self.route.source, &self.route.table)));
+        let of_tables = self.route.alternatives.iter().filter(|other| {
+            by_name(other.source, &other.table) && (can_be(other) || other.source == RouteSource::Tables && other.meets)
+        });
+        schemes.extend(of_tables.map(|other| other.scheme.as_str()));
         let printed = |own: &String| match self.answer.centred {
             true => table_answer::centred(own, &self.context.shop),
             false => Ok(own.clone()),
         };
         let printed: Vec<String> = self.answer.schemes.iter().map(printed).collect::<Result<_, _>>()?;
         schemes.extend(printed.iter().map(String::as_str));
-        for own in schemes {
+        for name in schemes {
             if let Some(scheme) = scheme
-                && !self.means(&scheme.value, own)?
+                && !self.means(&scheme.value, name)?
             {
                 continue;
             }
-            let given = table_answer::transitions(&full(own), &self.context.shop)?;
+            let given = table_answer::transitions(&full(name), &self.context.shop)?;
             let own = drilled_once(&main(stated));
             // A centring that the scheme does not ask for makes no hole worse.
             let more = own.split_first().filter(|(first, _)| **first == Operation::CentreDrill).map(|(_, rest)| rest);
             let is = |given: Vec<Operation>| main(&given) == own || more.is_some_and(|rest| main(&given) == rest);
             if given.is_some_and(is) {
-                return Ok(Some("A.7"));
+                return Ok(Some(name.to_owned()));
             }
         }
         Ok(None)
@@ -375,6 +374,14 @@ impl Group<'_, '_> {
         let because = Because::row(rule, Note::new("named"));
         Ok(Some(finding.about(self.context.subject(Scope::Row(*at))).resting_on([because])))
     }
+}
+
+/// The table of the schemes with their transitions.
+const SCHEMES: &str = "A.7";
+
+/// Whether a route can be carried out. What the tables leave to another machine has no time to compare.
+fn can_be(other: &Alternative) -> bool {
+    other.meets && (other.time_min.is_some() || other.finishes_elsewhere())
 }
 
 /// A scheme as A.7 numbers it: two digits.

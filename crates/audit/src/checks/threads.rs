@@ -109,7 +109,7 @@ fn drill(
     // Reported once: where the tool has the right diameter, the misprint has its finding already.
     if graph.verdict(id).is_none_or(|verdict| verdict.status == super::super::graph::Status::Fine) {
         findings.push(with_right_value(finding, figure, right, Q::Diameter));
-        right_by_drawing(context, at, right, findings);
+        right_by_drawing(context, graph, at, right, findings);
     }
 }
 

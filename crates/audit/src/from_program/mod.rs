@@ -28,6 +28,7 @@ use crate::part::Part;
 use crate::plan::{CuttingMethod, Operation};
 use crate::program::proof::DeviationFigure;
 use crate::program::seen::{SeenCut, cuts};
+use crate::program::setting::DecimalInput;
 use crate::program::{Language, Setting, Subject};
 use crate::tables::audit::{AuditThresholds, PlanPart, Threshold};
 use crate::tables::practice::ReachOfTransitionFor;
@@ -401,7 +402,14 @@ fn run(text: &str, language: &Language, machine: &Machine<'_>, own: Option<&Sett
     let mut machine = machine.clone();
     (machine.travel_x, machine.travel_y, machine.travel_z) = (WIDE, WIDE, WIDE);
     let mut steps: Vec<MotionStep> = Vec::new();
-    let faults = language.check(text, &machine, &setting, &mut steps);
+    let mut faults = language.check(text, &machine, &setting, &mut steps);
+    // One forgotten point keeps the control from counting the lengths; what the author meant is read all the same, and the check of the
+    // program says what the control makes of it.
+    if faults.iter().any(|fault| fault.code == "point-missing") {
+        let setting = Setting { decimal: Some(DecimalInput::Calculator), ..setting.clone() };
+        steps.clear();
+        faults = language.check(text, &machine, &setting, &mut steps);
+    }
     let per_turn = Subject::Function("G95".to_owned());
     let has_feeds = !faults.iter().any(|fault| fault.subject.as_ref() == Some(&per_turn));
     let zero = Position::of(Axis::ALL.map(|axis| setting.zeros[0][axis.index()].unwrap_or_default()));

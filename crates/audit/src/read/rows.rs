@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::knowledge::diagnostic::nearest;
+use crate::knowledge::diagnostic::{Diagnostic, nearest};
 use crate::knowledge::form::KeyOf;
 use crate::knowledge::yaml::{Fields, Node};
 use crate::part::Part;
@@ -14,6 +14,7 @@ use technolog_note::{Figure, note};
 use super::Reader;
 use crate::audit::finding::Section;
 use crate::audit::near::plain;
+use crate::audit::sheet::cells;
 use crate::audit::stated::{Row, StatedValue, Text};
 use crate::audit::{file, limits};
 
@@ -92,7 +93,15 @@ impl Reader<'_> {
         if let ([one], false) = (alike.as_slice(), alike.contains(&hole.value.as_str())) {
             hole.value = (*one).to_owned();
         }
-        if !part.holes.iter().any(|known| known.name == hole.value) {
+        let is_known = |name: &str| part.holes.iter().any(|known| known.name == name);
+        if !is_known(&hole.value)
+            && let Some(name) = cells::by_size(&hole.value, part)
+        {
+            hole.value = name;
+        }
+        // The rows below an empty cell name the hole of that one place, too.
+        let told = |one: &Diagnostic| one.code == "unknown-hole" && one.place.as_ref() == Some(&hole.place);
+        if !is_known(&hole.value) && !self.problems.0.iter().any(told) {
             let names = || part.holes.iter().map(|hole| hole.name.as_str());
             let help = match nearest(&hole.value, names()) {
                 Some(near) => note!("cli-did-you-mean", name = near),

@@ -73,7 +73,13 @@ fn add_formulas<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>, at: usize) 
     by_factors(context, graph, at, (Q::CardPower, Q::FactorPower, Q::Power), &POWER, true);
     graph.add(equal_figures(&TAKEN, id(Q::FeedTaken), id(Q::Feed)));
     if !rounds && operation != Operation::Mill {
-        graph.add(by_its_text(&COMPUTED, id(Q::RpmComputed), vec![id(Q::Speed), PI, id(Q::Diameter)]));
+        let mut computed = by_its_text(&COMPUTED, id(Q::RpmComputed), vec![id(Q::Speed), PI, id(Q::Diameter)]);
+        // Of a speed that the plan leaves out, and that the handbook gives, the author's may be as far from it as a stated one.
+        let by_handbook = context.stated.method == CuttingMethod::Formula && !context.stated.is_own;
+        if by_handbook && !has(id(Q::Speed)) && !has(id(Q::CardSpeed)) {
+            computed.judge = Some(handbook::by_unstated_speed(context, at)?);
+        }
+        graph.add(computed);
         graph.add(by_its_text(&AT_STEP, id(Q::SpeedTaken), vec![PI, id(Q::Diameter), id(Q::Rpm)]));
     }
     spindle(context, graph, at)?;

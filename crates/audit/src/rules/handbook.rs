@@ -15,7 +15,7 @@ use crate::units::{Micrometres, MillimetresPerRev, RevsPerMinute, round_to};
 
 use super::super::context::Context;
 use super::super::figures::{Nature, nature, shown};
-use super::super::graph::{Compute, Formula, Graph, Judged, Rule};
+use super::super::graph::{Compute, Formula, Graph, Judge, Judged, Rule};
 use super::super::mistakes::OtherLaw;
 use super::super::quantity::{Id, Quantity as Q, Scope};
 use super::{fixed_figure, formula, tabulated};
@@ -315,10 +315,7 @@ fn add<'a, 'b>(
     let quantity = formula.output.quantity;
     // A list gives speeds and does not say by what they were found: a slower one is the author's own.
     let chosen = context.stated.is_list && quantity == Q::Speed;
-    let least = |name| {
-        let row = context.shop.knowledge.need("audit-thresholds", |row: &AuditThresholds| row.name == name)?;
-        Ok::<_, KnowledgeError>(row.value)
-    };
+    let least = |name| threshold(context, name);
     let (least, at_step_least) = (least(Threshold::ListSpeedLeast)?, least(Threshold::ListStepSpeedLeast)?);
     // Many give the speed at the step that was taken.
     let rpm = context.stated.figure(Id::new(formula.output.scope, Q::Rpm)).map(|rpm| rpm.value);
@@ -335,6 +332,29 @@ fn add<'a, 'b>(
     }));
     graph.add(formula);
     Ok(())
+}
+
+fn threshold(context: &Context<'_>, name: Threshold) -> Result<f64, KnowledgeError> {
+    Ok(context.shop.knowledge.need("audit-thresholds", |row: &AuditThresholds| row.name == name)?.value)
+}
+
+/// Judges n = 1000·V/(π·D), from V, π and D, where the plan leaves out its V: n is then judged as that V would be.
+pub(super) fn by_unstated_speed<'a>(context: &'a Context<'a>, at: usize) -> Result<Judge<'a>, KnowledgeError> {
+    let conditions = &context.stated.conditions[at];
+    let named = conditions.factors.get(&Q::FactorSpeed).is_some_and(|named| !named.is_empty());
+    let reference = conditions.rows.first().and_then(|row| context.reference(*row)).filter(|_| !named);
+    let practice = reference.map(|transition| transition.conditions.computed_speed_m_per_min.0);
+    let slowest = threshold(context, Threshold::ListSpeedLeast)?;
+    Ok(Box::new(move |value, inputs| {
+        let [speed, pi, diameter] = inputs else { return None };
+        let rpm = |speed: f64| 1000.0 * speed / (pi * diameter);
+        let most = rpm(*speed);
+        let chosen = context.stated.is_list && (most * slowest..=most).contains(&value);
+        if chosen || practice.is_some_and(|also| (value / rpm(also) - 1.0).abs() < AS_ROUNDED) {
+            return None;
+        }
+        judged(context, Q::Speed, value, most)
+    }))
 }
 
 /// Judges a stated figure against the value of the handbook, by the rule `audit-formula`.

@@ -36,7 +36,23 @@ pub(super) fn hole(text: &str, part: Option<&Part>) -> String {
     if let Some(name) = named(text).or_else(|| named(first)) {
         return name;
     }
-    size(text).and_then(|size| of_size(size, part)).unwrap_or_else(|| text.to_owned())
+    by_thread(text, part).or_else(|| size(text).and_then(|size| of_size(size, part))).unwrap_or_else(|| text.to_owned())
+}
+
+/// The group of holes whose size a name writes out, `Ø20H7` or `M8`, where only one group has it. A bare number may be
+/// the number of a hole.
+pub(crate) fn by_size(text: &str, part: &Part) -> Option<String> {
+    let written = text.trim_start_matches(|sign: char| sign.is_ascii_digit() || matches!(sign, '.' | ',' | ' '));
+    let sized = || size(text).filter(|_| !written.is_empty()).and_then(|size| of_size(size, part));
+    by_thread(text, part).or_else(sized)
+}
+
+/// The one group of holes of a thread.
+fn by_thread(text: &str, part: &Part) -> Option<String> {
+    let is = |own: &str| latin(own) == latin(text);
+    let thread = |hole: &&crate::part::Hole| hole.thread.as_ref().is_some_and(|own| is(&own.written) || is(&own.id));
+    let mut own = part.holes.iter().filter(thread);
+    own.next().filter(|_| own.next().is_none()).map(|hole| hole.name.clone())
 }
 
 /// The one group of holes of a nominal diameter, mm.

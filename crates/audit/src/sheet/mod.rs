@@ -1,7 +1,7 @@
 //! Tables of CSV and XLSX as the tree that `read` reads: a plan by sections, or a list of tools alone. Their places are rows and columns
 //! of the table.
 
-mod cells;
+pub(crate) mod cells;
 pub(crate) mod columns;
 mod heads;
 mod list;
