@@ -164,7 +164,7 @@ impl MarkingScheme {
     }
 
     /// The marks of an audit. The most specific entry of the scheme applies: rule before section before severity. A
-    /// consequence of another slip is charged as a consequence, whatever its rule.
+    /// consequence of another slip is charged as a consequence, whatever its rule, unless it is graver than the slip.
     pub fn mark(&self, audit: &Audit) -> Marks {
         let mut left = self.points;
         let missing = self.missing(audit, &mut left);
@@ -174,7 +174,7 @@ impl MarkingScheme {
         let mut of_slips: BTreeMap<&str, f64> = BTreeMap::new();
         let mut deductions = Vec::new();
         for finding in &audit.findings {
-            let (deduction, by) = self.charge(finding);
+            let (deduction, by) = self.instead_of_root(finding, audit).unwrap_or_else(|| self.charge(finding));
             let own = self.sections.iter().find(|(section, _)| *section == finding.section).map(|(_, own)| own);
             let before = spent.iter().find(|(section, _)| *section == finding.section).map_or(0.0, |(_, spent)| *spent);
             let room = own.and_then(|own| own.at_most).map_or(f64::INFINITY, |most| most - before);
@@ -201,10 +201,31 @@ impl MarkingScheme {
         Marks { scheme: self.name.clone(), points, maximum: self.points, passed, missing, uncovered, deductions }
     }
 
+    /// What the gravest consequence costs of a root that is lighter than it, beyond what the root costs: one slip is paid once, at what it
+    /// does. None for any other finding.
+    fn instead_of_root(&self, finding: &AuditFinding, audit: &Audit) -> Option<(f64, DeductedBy)> {
+        let root = finding.follows_from.first()?;
+        let of_root = |one: &&AuditFinding| one.follows_from.is_empty() && finding.follows_from.contains(&one.field);
+        let roots: Vec<&AuditFinding> = audit.findings.iter().filter(of_root).collect();
+        let gravest = audit.findings.iter().filter(|one| one.follows_from.first() == Some(root));
+        let first = gravest.min_by_key(|one| one.severity).is_some_and(|one| std::ptr::eq(one, finding));
+        if !first || roots.is_empty() || roots.iter().any(|root| root.severity <= finding.severity) {
+            return None;
+        }
+        let paid = roots.into_iter().map(|root| self.own(root).0).fold(0.0, f64::max);
+        let (points, by) = self.own(finding);
+        Some((points - paid, by)).filter(|(points, _)| *points > self.consequences)
+    }
+
     fn charge(&self, finding: &AuditFinding) -> (f64, DeductedBy) {
         if !finding.follows_from.is_empty() {
             return (self.consequences, DeductedBy::Consequence);
         }
+        self.own(finding)
+    }
+
+    /// What a finding costs by itself.
+    fn own(&self, finding: &AuditFinding) -> (f64, DeductedBy) {
         let rule = self.rules.iter().find(|(rule, _)| *rule == finding.rule);
         if let Some(points) = rule.and_then(|(_, own)| own.points(finding.severity)) {
             return (points, DeductedBy::Rule);

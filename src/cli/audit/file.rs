@@ -10,6 +10,7 @@ use technolog::audit::{Auditor, Unreadable, is_plan_table, read_if_plan, read_pl
 use technolog::cases::FileKind;
 use technolog::error::KnowledgeError;
 use technolog::knowledge::{Diagnostic, Place};
+use technolog::note::Note;
 use technolog::part::{Part, read_part};
 use technolog::report::Lang;
 use technolog::sheets;
@@ -37,6 +38,29 @@ pub fn read(
     let text = context.text(path)?;
     let stated = read_plan_of(&shown, &text, part, auditor.knowledge, &|name: &str| places.text(path, name, context));
     stated.map_err(|unreadable| unusable(path, shown, text, unreadable, context))
+}
+
+/// A work: a list that says of no tool what it does has nothing that could be judged.
+///
+/// # Errors
+/// Every mistake of the file.
+pub fn read_work(
+    path: &Path,
+    part: Option<&Part>,
+    auditor: &Auditor<'_>,
+    places: FileRoots<'_>,
+    context: &Context,
+) -> Result<Stated, CliError> {
+    judged(read(path, part, auditor, places, context)?)
+}
+
+fn judged(stated: Stated) -> Result<Stated, CliError> {
+    if !stated.is_list || !stated.rows.is_empty() {
+        return Ok(stated);
+    }
+    let place = Place { file: stated.file.as_str().into(), line: 1, column: 1, width: 1 };
+    let problem = Diagnostic::error("missing-key", Note::new("sheet-list-without-operation"), place);
+    Err(problem.help(Note::new("sheet-list-without-operation-help")).into())
 }
 
 /// The form of a file of tables, by its name.
@@ -97,7 +121,7 @@ pub fn read_any(
         return match read_tables(path, kind, None, auditor, places, context) {
             // Any other table of the folder is no plan.
             Err(_) if sheets::read(kind, &context.bytes(path)?).is_ok_and(|tables| !is_plan_table(&tables)) => Ok(None),
-            stated => stated.map(Some),
+            stated => stated.and_then(judged).map(Some),
         };
     }
     let shown = path.display().to_string();

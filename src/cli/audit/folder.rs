@@ -16,13 +16,15 @@ use super::super::input::FileRoots;
 use super::super::problems::{of_system, unreadable};
 use super::super::progress::Progress;
 use super::super::{CliError, Context, Format, Outcome, output};
-use super::file;
+use super::{file, program};
 
 /// The result for a file of the folder.
 enum FolderItem {
     Plan(Audited),
     /// It is no plan.
     NoPlan,
+    /// A program, which is judged with the part that it makes.
+    Program,
 }
 
 /// The formats of a folder: the last two are the grade book.
@@ -64,6 +66,10 @@ pub fn run(
             FolderItem::Plan(plan) => {
                 context.uses(path);
                 audited.push(plan);
+            }
+            FolderItem::Program => {
+                let alone = say!(context.lang, "audit-program-in-folder", file = path.display().to_string());
+                output::complain(&format!("{}\n", cleaned(&alone)));
             }
             FolderItem::NoPlan => {
                 let skipped = say!(context.lang, "audit-skipped-file", file = path.display().to_string());
@@ -137,6 +143,12 @@ fn audit_file(
     places: FileRoots<'_>,
     context: &Context,
 ) -> Result<FolderItem, CliError> {
+    if program::is_program(path, false) {
+        return Ok(FolderItem::Program);
+    }
+    if !may_be_plan(path) {
+        return Ok(FolderItem::NoPlan);
+    }
     let stated = match file::read_any(path, auditor, places, context) {
         Ok(Some(stated)) => stated,
         Ok(None) => return Ok(FolderItem::NoPlan),
@@ -167,7 +179,7 @@ fn unopened(folder: &Path, error: &io::Error, context: &Context) -> Audited {
     unread(folder, &[Diagnostic::error("unreadable", message, None)], context)
 }
 
-/// The files that may be plans, and the subfolders that cannot be read. Hidden files are skipped, and links to
+/// The files, which may be plans, and the subfolders that cannot be read. Hidden files are skipped, and links to
 /// folders, which could form a cycle.
 fn collect(folder: &Path, files: &mut Vec<PathBuf>, barred: &mut Vec<(PathBuf, io::Error)>) -> io::Result<()> {
     let mut entries = std::fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>()?;
@@ -181,11 +193,15 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>, barred: &mut Vec<(PathBuf, i
             if let Err(error) = collect(&path, files, barred) {
                 barred.push((path, error));
             }
-        } else if file::table_kind(&path).is_some()
-            || path.extension().is_some_and(|kind| ["yaml", "yml", "json"].iter().any(|known| kind == *known))
-        {
+        } else {
             files.push(path);
         }
     }
     Ok(())
+}
+
+/// Whether a file may be a plan, by its name.
+fn may_be_plan(path: &Path) -> bool {
+    file::table_kind(path).is_some()
+        || path.extension().is_some_and(|kind| ["yaml", "yml", "json"].iter().any(|known| kind == *known))
 }

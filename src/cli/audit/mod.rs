@@ -84,7 +84,7 @@ pub fn run(args: &Args, context: &Context) -> Result<Outcome, CliError> {
             };
             program::read(&of, &auditor, places, context)?
         }
-        false => file::read(&args.plan, part.as_ref(), &auditor, places, context)?,
+        false => file::read_work(&args.plan, part.as_ref(), &auditor, places, context)?,
     };
     if let Some(other) = &args.against {
         let other = file::read(other, None, &auditor, places, context)?;
@@ -113,7 +113,7 @@ pub fn of_file(
     places: FileRoots<'_>,
     context: &Context,
 ) -> Result<Audit, CliError> {
-    let stated = file::read(plan, None, auditor, places, context)?;
+    let stated = file::read_work(plan, None, auditor, places, context)?;
     auditor.audit(&stated).map_err(|error| file::at_fault(&stated, &error, context))
 }
 

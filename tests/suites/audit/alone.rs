@@ -202,6 +202,70 @@ fn a_list_names_the_tools_of_a_program() {
     assert!(grave(&wrong).iter().any(|one| one.contains("audit-last-diameter")), "{:?}", grave(&wrong));
 }
 
+/// A tool that the list does not have is told where it is called, with what the list has instead of it.
+#[test]
+fn a_tool_beside_the_list_is_told_where_it_is_called() {
+    let list = "№ інструмента;Отвір;Перехід;Діаметр, мм;Інструмент\n1;B;центрування;;035-2317-0103\n2;B;свердління;10;035-2300-1273\n\
+                3;B;розсвердлювання;20;035-2301-1060\n";
+    let part = read(&text("plate.yaml"));
+    let plan = planner::plan(&part, CuttingMethod::default(), &KNOWLEDGE).unwrap();
+    let (control, language) = languages().into_iter().next().unwrap();
+    let planned = PlannedJob::of(plan, &language, &KNOWLEDGE).unwrap();
+    let program = language.write(&planned.job, form(&part)).text();
+    let tables = sheets::read(sheets::Kind::Csv, list.as_bytes()).unwrap();
+    let tools = read_table("tools.csv", &tables, Some(&part), &KNOWLEDGE, &|_: &str| Err(String::new())).unwrap();
+    let found = |text: &str| {
+        let alone =
+            ProgramAlone { file: "program.nc", text, control, setting: None, part: Some(&part), tools: Some(&tools) };
+        let audit = AUDITOR.audit(&alone.read(&KNOWLEDGE).unwrap().unwrap()).unwrap();
+        let own = audit.findings.into_iter().filter(|one| one.rule.starts_with("audit-program-unlisted"));
+        own.map(|one| (one.line, one.severity, technolog::words::Lang::EN.say(&one.note))).collect::<Vec<_>>()
+    };
+    assert_eq!(found(&program), []);
+    let other = program.replacen("T3 M6", "T7 M6", 1);
+    let line = other.lines().position(|line| line.contains("T7 M6")).map(|at| u32::try_from(at + 1).unwrap());
+    let note =
+        "T7 is called, but the list of tools does not have it; by the list there is then not made: T3 drilling out B";
+    assert_eq!(found(&other), [(line, Severity::Wrong, note.to_owned())]);
+}
+
+/// Where the zero lies nobody said: a change that is too low is told without a height of the machine.
+#[test]
+fn a_low_change_names_no_height_that_nobody_set() {
+    let low = text("four-tools.nc").replacen("N75 G80\no101 call\n", "N75 G80 M5 M9\n", 1);
+    let audit = audited("low.nc", &low, "linuxcnc", Some(&read(&text("four-tools.yaml"))));
+    let own: Vec<_> = audit.findings.iter().filter(|one| one.rule == "changes-elsewhere").collect();
+    assert_eq!(own.len(), 1);
+    assert!(!technolog::words::Lang::EN.say(&own[0].note).contains('Z'), "{:?}", own[0].note);
+}
+
+/// One tool that calls another zero than all others makes its holes elsewhere: told at the call.
+#[test]
+fn another_zero_of_one_tool_is_told_where_it_is_called() {
+    let part = read(&text("plate.yaml"));
+    let right = text("plate-corner-zero.nc");
+    let other = right.replacen("G54 G90 G0 X50. Y50. S800", "G55 G90 G0 X50. Y50. S800", 1);
+    let line = other.lines().position(|line| line.starts_with("G55")).map(|at| u32::try_from(at + 1).unwrap());
+    let audit = audited("plate.nc", &other, "fanuc", Some(&part));
+    let own: Vec<_> =
+        audit.findings.iter().filter(|one| one.rule == "not-made" && one.follows_from.is_empty()).collect();
+    assert!(!own.is_empty(), "{:?}", grave(&audit));
+    for one in own {
+        assert_eq!(one.line, line);
+        assert!(technolog::words::Lang::EN.say(&one.note).starts_with("T2 works from G55, all other tools from G54"));
+    }
+}
+
+/// A spindle that is not stopped before M6 is one slip.
+#[test]
+fn a_missing_stop_of_the_spindle_is_one_slip() {
+    let text = text("plate-corner-zero.nc").replace("Z0. M5", "Z0.");
+    let audit = audited("plate.nc", &text, "fanuc", Some(&read(&self::text("plate.yaml"))));
+    let own: Vec<String> = grave(&audit).into_iter().filter(|one| one.contains("turn")).collect();
+    let roots = audit.findings.iter().filter(|one| one.is_wrong() && one.follows_from.is_empty());
+    assert_eq!(roots.count(), 1, "{own:?}");
+}
+
 /// A program that goes down nowhere where the drawing has a hole is not passed over in silence.
 #[test]
 fn a_program_of_another_part_is_told() {

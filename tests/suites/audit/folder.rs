@@ -45,6 +45,7 @@ fn mixed(name: &str) -> PathBuf {
     write("setting.yaml", "correctors: {1: 0}\n");
     write("part.yaml", &fs::read_to_string(root("examples/plate.yaml")).unwrap());
     write("notes.txt", "no plan\n");
+    write("e-work.nc", "%\nM30\n%\n");
     write(".hidden.yaml", "part: [\n");
     folder
 }
@@ -87,6 +88,11 @@ fn the_code_of_a_folder_is_that_of_its_worst_plan() {
     fs::create_dir_all(folder.join("empty")).unwrap();
     let (_, beside, code) = command(&folder, &["audit", "empty", "--lang", "en"]);
     assert_eq!(code, 2);
+    // A list that names tools and nothing that they do has nothing that could be judged.
+    fs::create_dir_all(folder.join("list")).unwrap();
+    fs::write(folder.join("list/tools.csv"), "T;Інструмент;Діаметр, мм\n1;035-2300-1273;10\n").unwrap();
+    assert_eq!(command(&folder, &["audit", "list"]).2, 2);
+    assert_eq!(command(&folder, &["audit", "list/tools.csv"]).2, 2);
     assert!(beside.contains("there is no plan in the folder"), "{beside}");
 }
 

@@ -102,6 +102,26 @@ fn the_most_particular_word_of_the_scheme_holds() {
     }
 }
 
+/// A root that is only doubtful costs what it does: the wrong figure that follows from it is paid once, beyond what the root costs.
+#[test]
+fn a_consequence_graver_than_its_root_is_paid() {
+    let mut audit = audited();
+    for finding in &mut audit.findings {
+        if finding.field == "clamping.force" {
+            finding.severity = technolog::note::Severity::Doubtful;
+        }
+    }
+    for (text, root, consequence) in [
+        ("{points: 10, missing: {}, deduct: {wrong: 3}}", 0.0, 3.0),
+        ("{points: 10, missing: {}, deduct: {wrong: 3, doubtful: 1}}", 1.0, 2.0),
+        ("{points: 10, missing: {}, deduct: {doubtful: 1}}", 1.0, 0.0),
+    ] {
+        let marks = scheme(text).mark(&audit);
+        let points = [mark_of(&marks, "clamping.force").0, mark_of(&marks, "clamping.force_per_clamp").0];
+        assert_eq!(points, [root, consequence], "{text}");
+    }
+}
+
 #[test]
 fn a_plan_passes_from_the_threshold_on() {
     let audit = audited();

@@ -129,6 +129,29 @@ fn bad_tables_are_told_with_place_and_remedy() {
     }
 }
 
+/// What is done may stand under many headings; where it stands under none that is told once, with the headings that were not read.
+#[test]
+fn a_list_that_does_not_say_what_is_done_is_no_work() {
+    let wrong = LIST.replacen("800;200", "800;260", 1);
+    for heading in ["Найменування переходу", "Найменування операції", "Назва операції", "Зміст операції"]
+    {
+        let list = wrong.replacen("Перехід", heading, 1);
+        assert_eq!(found(&of_text(&list, Some(&plate())).unwrap()), ["wrong minute-feed 4:9 260"], "{heading}");
+    }
+    // A card has the operation beside the transition.
+    let card =
+        wrong.replacen("Перехід", "Найменування операції;Зміст переходу", 1).replacen("A;", "A;005 Свердлильна;", 1);
+    assert_eq!(found(&of_text(&card, Some(&plate())).unwrap()), ["wrong minute-feed 4:10 260"]);
+    let other =
+        format!("{}B;свердління;10;40;035-2300-1273;191113040;0,25;800;200\n", LIST.replacen("Перехід", "Робота", 1));
+    for part in [None, Some(&plate())] {
+        let told = of_text(&other, part).unwrap_err();
+        assert_eq!(told.len(), 1, "{told:?}");
+        assert_eq!(told[0].place.clone().unwrap().to_string(), "list.csv:3:1");
+        assert!(Lang::EN.say(told[0].help.as_ref().unwrap()).contains("Робота"), "{told:?}");
+    }
+}
+
 /// S and F without units are words of a program: 800 turns, 200 mm/min; a note says how they were read.
 #[test]
 fn words_of_programs_are_read_and_told() {

@@ -139,6 +139,7 @@ impl ProgramAlone<'_> {
         steps: &[MotionStep],
     ) -> Stated {
         let (mut rows, mut conditions) = (Vec::new(), Vec::new());
+        let whole = placed.iter().all(|(_, meant)| meant.is_some()) && self.part.is_some();
         let mut untold: BTreeSet<u32> = BTreeSet::new();
         let mut derived: BTreeMap<u32, Operation> = BTreeMap::new();
         let mut known: BTreeSet<(String, usize, Operation)> = BTreeSet::new();
@@ -174,6 +175,11 @@ impl ProgramAlone<'_> {
             remarks.push(remark(note!("audit-program-derived", tools = Figure::List(words.collect(), ", "))));
         }
         let listed = |tools: &BTreeSet<u32>| tools.iter().map(|tool| format!("T{tool}")).collect::<Vec<_>>().join(", ");
+        for (number, line, note) in self.unlisted(&untold, told, steps) {
+            untold.remove(&number);
+            let section = Section::Program;
+            remarks.push(Remark { section, ..self.remark(line, Severity::Wrong, note) });
+        }
         if !untold.is_empty() {
             remarks.push(remark(note!("audit-program-untold", tools = listed(&untold))));
         }
@@ -187,7 +193,6 @@ impl ProgramAlone<'_> {
             let note = note!("audit-program-shifted", x = shift.x, y = shift.y, z = shift.z);
             remarks.push(remark(note));
         }
-        let whole = untold.is_empty() && self.part.is_some();
         if self.part.is_some() {
             remarks.extend(short(&part, placed, shift).into_iter().map(|(line, note)| Remark {
                 section: Section::Program,
@@ -235,6 +240,35 @@ impl ProgramAlone<'_> {
             unsaid: self.part.is_none().then_some(Unsaid { material: true, machine: true }),
             remarks,
         }
+    }
+
+    /// The tools of which nothing is known and which the list beside the program does not have, each with the line of its first call and
+    /// what the list has instead that is never called.
+    fn unlisted(&self, untold: &BTreeSet<u32>, told: &ToldTools, steps: &[MotionStep]) -> Vec<(u32, u32, Note)> {
+        let Some(list) = self.tools.filter(|list| !list.tools.is_empty()) else { return Vec::new() };
+        let call = |number: u32| steps.iter().find(|step| step.motion == Motion::ToolChange { tool: number });
+        let rows = list.rows.iter().filter_map(|row| Some((row, row.tool.as_ref()?.value)));
+        let left = rows.filter(|(_, number)| call(*number).is_none()).map(|(row, number)| {
+            let hole = row.hole.as_ref().map(|hole| format!(" {}", hole.value)).unwrap_or_default();
+            let operation = Figure::operation(row.operation.value.name());
+            Figure::List(vec![format!("T{number} ").into_figure(), operation, hole.into_figure()], "")
+        });
+        let left: Vec<Figure> = left.collect();
+        // Where the list has a tool instead, its number is wrong even where the motion says what is done.
+        let called = called(steps).into_keys().filter(|_| !left.is_empty());
+        let numbers: BTreeSet<u32> = untold.iter().copied().chain(called).collect();
+        let told = numbers.iter().filter(|number| told.of(**number).is_none()).filter_map(|number| {
+            let line = call(*number)?.block.line;
+            let note = match left.is_empty() {
+                true => note!("audit-program-unlisted", tool = *number),
+                false => {
+                    let left = Figure::List(left.clone(), ", ");
+                    note!("audit-program-unlisted-instead", tool = *number, left = left)
+                }
+            };
+            Some((*number, line, note))
+        });
+        told.collect()
     }
 
     fn row(&self, at: usize, of: &Placed, operation: Operation, told: &ToldTools, part: &Part, shift: Position) -> Row {

@@ -2,7 +2,7 @@
 //! columns are, and by what stands in the cells; what stays open is asked of the author.
 
 use technolog_core::lang::Lang;
-use technolog_core::words;
+use technolog_core::words::{self, operation_named};
 use technolog_note::{Figure, IntoFigure as _, Note, note};
 use technolog_sheets::Row;
 
@@ -48,6 +48,17 @@ pub(super) fn count(row: &Row, forms: &[Of]) -> usize {
     row.filled().filter(|(_, text)| !meant(text, forms).is_empty()).count()
 }
 
+/// The cells of a head that are no column of a table of those mappings.
+pub(super) fn unread<'r>(row: &'r Row, forms: &[Of]) -> Vec<&'r str> {
+    row.filled().filter(|(_, text)| meant(text, forms).is_empty()).map(|(_, text)| text).collect()
+}
+
+/// Whether a head has a column for what is done.
+pub(super) fn has_operation(row: &Row, forms: &[Of]) -> bool {
+    let is_operation = |own: &Column| (own.of, own.key) == (Of::Row, "operation");
+    row.filled().any(|(_, text)| meant(text, forms).iter().any(is_operation))
+}
+
 /// The columns of a table by its head; `below` are the rows under it.
 pub(super) fn read(
     book: &Book,
@@ -88,6 +99,7 @@ pub(super) fn read(
         }
     }
     words_of_programs(book, row, &mut open, remarks);
+    one_operation(book, row, below, &mut open, remarks);
     let mut heads: Heads = Vec::new();
     for (column, text, meant) in open {
         let place = book.place(row.line, column, text);
@@ -133,6 +145,36 @@ fn words_of_programs(book: &Book, row: &Row, open: &mut [(u32, &str, Vec<Column>
         let note = note!("audit-column-read-as", column = *text, meant = shown(*own));
         remarks.push((book.place(row.line, *column, text), note));
     }
+}
+
+/// A card has a column for the operation, `005 Свердлильна`, beside that of the transition: what is done stands in the one whose cells
+/// name it. A remark tells the other.
+fn one_operation(
+    book: &Book,
+    row: &Row,
+    below: &[Row],
+    open: &mut Vec<(u32, &str, Vec<Column>)>,
+    remarks: &mut Vec<(Place, Note)>,
+) {
+    let is_operation = |meant: &[Column]| single(meant).is_some_and(|own| (own.of, own.key) == (Of::Row, "operation"));
+    let names = |column: u32| {
+        let known = |text: &str| Lang::all().any(|lang| operation_named(text, lang).is_some());
+        below.iter().filter(|row| known(row.cell(column))).count()
+    };
+    let own: Vec<(u32, usize)> =
+        open.iter().filter(|(.., meant)| is_operation(meant)).map(|(column, ..)| (*column, names(*column))).collect();
+    let most = own.iter().map(|(_, count)| *count).max().unwrap_or_default();
+    // Where several name it as often the author says which one is meant.
+    if most == 0 || own.iter().filter(|(_, count)| *count == most).count() != 1 {
+        return;
+    }
+    open.retain(|(column, text, _)| {
+        let other = own.iter().any(|(known, count)| known == column && *count < most);
+        if other {
+            remarks.push((book.place(row.line, *column, text), note!("audit-column-unread", column = *text)));
+        }
+        !other
+    });
 }
 
 /// A column as a message names it: with its unit.

@@ -45,6 +45,9 @@ pub(super) fn read(
         }
         said.extend(above(book, section));
         let rows = table(book, section, problems, remarks);
+        if without_operation(book, section, &rows, problems) {
+            return None;
+        }
         entries.extend(rows.into_iter().map(|(place, cells)| apart(place, cells)));
     }
     let mut holes = Holes { part, made: Vec::new(), last: None };
@@ -123,6 +126,33 @@ fn above(book: &Book, section: &Section) -> Vec<(Column, Node)> {
         Some((key, scalar(&value, &book.place(row.line, column, &value))))
     };
     section.rows.iter().take(at).filter_map(said).collect()
+}
+
+/// Whether nothing of a table says what is done although its rows tell of holes or conditions: told once, at its head, with the columns
+/// that were not read. A table of tools alone says nothing of it, and need not.
+fn without_operation(book: &Book, section: &Section, rows: &[(Place, Cells)], problems: &mut Problems) -> bool {
+    let is_said = |of: &Of, key: &str| match of {
+        Of::Row => ["hole", "feature", "step", "depth"].contains(&key),
+        Of::Conditions | Of::Card | Of::Factors => true,
+        _ => false,
+    };
+    let mut cells = rows.iter().flat_map(|(_, cells)| cells);
+    if !cells.any(|(own, _)| is_said(&own.of, own.key)) {
+        return false;
+    }
+    let forms = section.kind.forms();
+    let Some(head) = section.rows.iter().find(|row| super::heads::count(row, forms) > 1) else { return false };
+    if super::heads::has_operation(head, forms) {
+        return false;
+    }
+    let unread = super::heads::unread(head, forms);
+    let help = match unread.is_empty() {
+        true => note!("sheet-list-without-operation-help"),
+        false => note!("sheet-list-without-operation-unread", columns = unread.join(", ")),
+    };
+    let place = book.place(head.line, 1, "");
+    problems.error_help::<()>("missing-key", note!("sheet-list-without-operation"), &place, help);
+    true
 }
 
 fn apart(place: Place, cells: Cells) -> Entry {

@@ -11,6 +11,10 @@ audit-program-row-conditions = the program was not compared with the plan: row {
 audit-setting-correction = the setting has H{ $corrector } = { $value }, and by the plan the correction of T{ $tool } is { $needed }
 audit-program-derived = the program does not say what these tools are; by their motions they are taken as: { $tools }
     .help = name each tool in a comment beside its change, or give a list of tools: `--tools tools.csv`
+audit-program-unlisted = T{ $tool } is called, but the list of tools does not have it: what it does and the route of its holes cannot be checked
+audit-program-unlisted-instead = T{ $tool } is called, but the list of tools does not have it; by the list there is then not made: { $left }
+audit-program-change-low = the tool is changed lower than at the other changes of this program: the way to the place of the tool change is missing
+audit-program-other-zero = T{ $tool } works from { $own }, all other tools from { $usual }: where that zero lies nobody says, and its holes are not made at the points of the drawing
 audit-program-untold = { $tools }: neither the program nor a list says what it is, and its motion may be several things: its holes and their route cannot be checked
     .help = name each tool in a comment beside its change, or give a list of tools: `--tools tools.csv`
 audit-program-unsized = { $tools }: neither a diameter nor a designation is told: size, reach and speed of the tool cannot be checked

@@ -2,7 +2,7 @@
 column-row = No.
     .also = number; no; row number
 column-operation = operation
-    .also = transition; step
+    .also = transition; step; name of the transition; name of the operation; operation name
 column-hole = hole
     .also = holes; group of holes; group
 column-feature = feature

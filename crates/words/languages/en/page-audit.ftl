@@ -241,6 +241,7 @@ factor-tool-material = tool material
 factor-hole-depth = hole depth
 factor-surface-state = state of the surface
 # The command.
+audit-program-in-folder = { $file }: a program, not counted as a work; if no plan of the folder names it, audit it by itself with its part: technolog audit { $file } --part PART.yaml
 audit-skipped-file = { $file }: not a plan, skipped
 audit-marks-legend = By what points are taken: by rule, where the scheme names the rule; by section, where it names the section of the plan; by severity (error, wrong, doubtful) everywhere else.
 audit-no-plans = there is no plan in the folder `{ $folder }`

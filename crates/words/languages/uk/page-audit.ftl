@@ -228,6 +228,7 @@ factor-tool-material = матеріал інструмента
 factor-hole-depth = глибина отвору
 factor-surface-state = стан поверхні
 # The command.
+audit-program-in-folder = { $file }: програма, окремою роботою не порахована; якщо її не називає жоден план теки, перевірте її саму разом з деталлю: technolog audit { $file } --part PART.yaml
 audit-skipped-file = { $file }: не план, пропущено
 audit-marks-legend = За що знято бали: за правилом – якщо схема називає правило; за розділом – якщо вона називає розділ плану; за вагою (помилка, хибно, сумнівно) – в усіх інших випадках.
 audit-no-plans = у теці `{ $folder }` немає жодного плану

@@ -67,6 +67,53 @@ pub(super) struct Caps<'k> {
     changes: Vec<(BlockRef, Micrometres)>,
     /// The first block of each cut of a tool, with the change before it.
     called: Vec<(BlockRef, u32, BlockRef)>,
+    /// The one tool that works from another zero than all others.
+    zero: Option<OddZero>,
+}
+
+/// A zero that one tool calls and no other.
+struct OddZero {
+    tool: u32,
+    line: u32,
+    own: String,
+    usual: String,
+}
+
+impl OddZero {
+    /// The one of a program, where two other tools at least call one zero: parts side by side have all their tools at each zero.
+    fn of(text: &str, steps: &[MotionStep]) -> Option<Self> {
+        let changes: Vec<(u32, u32)> = steps
+            .iter()
+            .filter_map(|step| match step.motion {
+                Motion::ToolChange { tool } => Some((step.block.line, tool)),
+                _ => None,
+            })
+            .collect();
+        let mut calls: Vec<(u32, u32, String)> = Vec::new();
+        for (line, text) in (1..).zip(text.lines()) {
+            let Some((_, tool)) = changes.iter().rev().find(|(change, _)| *change <= line) else { continue };
+            calls.extend(zeros(text).map(|zero| (*tool, line, zero)));
+        }
+        let names: BTreeSet<&String> = calls.iter().map(|(.., zero)| zero).collect();
+        let tools = |name: &str| -> BTreeSet<u32> {
+            calls.iter().filter(|(.., zero)| zero == name).map(|(tool, ..)| *tool).collect()
+        };
+        let [first, second] = names.into_iter().collect::<Vec<_>>().try_into().ok()?;
+        let (own, usual) = if tools(first).len() == 1 { (first, second) } else { (second, first) };
+        let (one, others) = (tools(own), tools(usual));
+        let (tool, line, _) = calls.iter().find(|(.., zero)| zero == own)?;
+        let is_odd = one.len() == 1 && others.len() > 1 && one.is_disjoint(&others);
+        is_odd.then(|| Self { tool: *tool, line: *line, own: own.clone(), usual: usual.clone() })
+    }
+}
+
+/// The zeros that a line calls, outside its comments.
+fn zeros(line: &str) -> impl Iterator<Item = String> {
+    let line = line.split(['(', ';']).next().unwrap_or_default().to_ascii_uppercase();
+    let own = |word: &&str| ["54", "55", "56", "57", "58", "59"].contains(word);
+    let digits = |rest: &str| rest.split(|sign: char| !sign.is_ascii_digit() && sign != '.').next().map(str::to_owned);
+    let words: Vec<String> = line.split('G').skip(1).filter_map(digits).collect();
+    words.into_iter().filter(move |word| own(&word.as_str())).map(|word| format!("G{word}"))
 }
 
 impl<'k> Caps<'k> {
@@ -89,7 +136,10 @@ impl<'k> Caps<'k> {
         }
         let changes = steps.iter().filter(|step| matches!(step.motion, Motion::ToolChange { .. })).skip(1);
         let changes = changes.map(|step| (step.block, step.at.z)).collect();
-        Ok(Self { rows: rows.transpose()?.unwrap_or_default(), changes, called })
+        let program =
+            context.stated.program.as_ref().filter(|program| program.alone.is_some_and(|alone| !alone.is_set));
+        let zero = program.and_then(|program| OddZero::of(&program.text, steps));
+        Ok(Self { rows: rows.transpose()?.unwrap_or_default(), changes, called, zero })
     }
 
     /// The change that brought a tool to a block.
@@ -102,6 +152,14 @@ impl<'k> Caps<'k> {
     fn is_low(&self, block: Option<BlockRef>) -> bool {
         let own = self.changes.iter().find(|(own, _)| Some(*own) == block).map(|(_, height)| *height);
         own.is_some_and(|own| self.changes.iter().any(|(_, other)| *other > own))
+    }
+
+    /// Whether all others are at one place, two of them at least: then the program has its way to the place of the change and lacks it
+    /// once.
+    fn is_left_out(&self, block: Option<BlockRef>) -> bool {
+        let others: Vec<_> =
+            self.changes.iter().filter(|(own, _)| Some(*own) != block).map(|(_, height)| *height).collect();
+        self.is_low(block) && others.len() > 1 && others.windows(2).all(|two| two.first() == two.last())
     }
 
     /// The severity of a finding: the gravest stand first in their order.
@@ -190,6 +248,7 @@ pub(super) fn deviation(
                 let made = deviation.length(Name::Made).zip(deviation.length(Name::Needed));
                 let times = made.map(|(made, needed)| made.to_mm() / needed.to_mm());
                 match deviation.code {
+                    Code::ChangesElsewhere if caps.is_left_out(deviation.block) => Severity::Wrong,
                     Code::ChangesElsewhere if caps.is_low(deviation.block) => Severity::Doubtful,
                     code => caps.of_share(code.name(), severity, times),
                 }
@@ -220,6 +279,20 @@ pub(super) fn deviation(
     let mut finding = AuditFinding::new(severity, Section::Program, name, deviation.note.clone());
     if block != deviation.block {
         finding.note = called(&deviation.figures, "program-tool-called");
+    }
+    // What is not made is told where another zero is called.
+    let zero = caps.zero.as_ref().filter(|zero| deviation.code == Code::NotMade && Some(zero.tool) == tool);
+    if let Some(OddZero { tool, line, own, usual }) = zero {
+        place = Some(Place { file: file.clone(), line: *line, column: 1, width: 1 });
+        finding.note = Note::new("audit-program-other-zero")
+            .with("tool", *tool)
+            .with("own", own.clone())
+            .with("usual", usual.clone());
+    }
+    // Where the zero lies nobody said, so that no position of the machine is known.
+    let unset = context.stated.program.as_ref().and_then(|program| program.alone).is_some_and(|alone| !alone.is_set);
+    if deviation.code == Code::ChangesElsewhere && unset {
+        finding.note = Note::new("audit-program-change-low");
     }
     if let Some((stated, right)) = beside {
         finding = finding.with_values(stated, right);
