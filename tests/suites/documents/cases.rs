@@ -88,7 +88,7 @@ fn passing(files: &[Done]) -> usize {
 
 #[test]
 fn every_case_of_the_repository_passes() {
-    assert_eq!(DONE.each_ref().map(|files| passing(files)), [133, 34, 29], "holes, routes, examples");
+    assert_eq!(DONE.each_ref().map(|files| passing(files)), [136, 34, 29], "holes, routes, examples");
     let [rules, catalogs, published] = ["rules", "catalogs", "tests/published"].map(|folder| passing(&done(folder)));
     assert!(rules >= 214 && catalogs >= 43 && published >= 25, "{rules} {catalogs} {published}");
 }
