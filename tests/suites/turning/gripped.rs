@@ -171,6 +171,25 @@ fn a_blade_far_out_tips_the_part() {
     assert!(grooved > plain && (200.0..330.0).contains(&grooved), "{plain} {grooved}");
 }
 
+/// The inequality that is told holds between the figures as they are told: what the speed takes off the jaws is taken off what they hold.
+#[test]
+fn what_tips_is_more_than_what_the_speed_leaves() {
+    let part = "shaft: Stub\nmaterial: steel-45\nblank: {kind: bar, diameter: 50, length: 130, face: 2}\nmachine: 16a20f3\nouter:\n  - \
+                {from: {d: 0, z: 0}}\n  - {face: 20}\n  - {chamfer: 2}\n  - {thread: M24x3-6g, to: -30}\n  - {groove: thread-relief}\n  \
+                - {face: 30}\n  - {chamfer: 1}\n  - {cylinder: -60, name: seat, grade: h7, roughness: Ra 1.6}\n  - {face: 46}\n  - \
+                {chamfer: 1}\n  - {cylinder: -80}\n";
+    let operation = plan(&read_turned("part", part, &KNOWLEDGE).unwrap(), &KNOWLEDGE).unwrap();
+    let tips: Vec<_> = operation.findings.iter().filter(|one| one.note.code() == "grip-tips").collect();
+    let figure = |finding: &&technolog::note::Finding, name: &str| -> f64 {
+        finding.note.figure_text(name).unwrap().parse().unwrap()
+    };
+    assert!(!tips.is_empty());
+    for one in tips {
+        let [moment, safety, holds] = ["moment", "safety", "holds"].map(|name| figure(&one, name));
+        assert!(moment * safety > holds, "{moment} · {safety} > {holds}");
+    }
+}
+
 const PARTED: &str = "shaft: Ring\nmaterial: steel-40x\nblank: {kind: tube, diameter: 120, bore: 90, length: 60, face: 1.5}\nmachine: 16k20f3\nouter:\n  - {from: {d: 96, z: 0}}\n  - {face: 116}\n  - {chamfer: 1}\n  - {cylinder: -20, name: od, grade: h7, roughness: Ra 1.6}\ninner:\n  - {from: {d: 96, z: 0}}\n  - {chamfer: 1}\n  - {cylinder: -20, name: id, grade: H7, roughness: Ra 1.6}\n";
 
 const RING: &str = "# thin-walled ring, bronze-less: aluminium, full grip\nshaft: Thin ring\nmaterial: aluminium-d16\nblank: {kind: tube, diameter: 105, bore: 85, length: 60, face: 2}\nmachine: 16k20f3\nouter:\n  - {from: {d: 94, z: 0}}\n  - {face: 100}\n  - {chamfer: 0.5}\n  - {cylinder: -25, name: seat, grade: h7, roughness: Ra 1.6}\ninner:\n  - {from: {d: 94, z: 0}}\n  - {chamfer: 0.5}\n  - {cylinder: -25, name: bore, grade: H7, roughness: Ra 1.6}\n";

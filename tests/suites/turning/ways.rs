@@ -37,6 +37,21 @@ fn turn(args: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
+/// A file of steps has no allowance: the pass that finishes them takes off what roughing left, and has its speed and feed like any, or
+/// no program could be written of a part that is told to be made.
+#[test]
+fn steps_without_an_allowance_have_programs() {
+    let part = "shaft: Steps\nmaterial: steel-45\nmachine: 16k20f3\nblank: {kind: bar, diameter: 80, length: 220}\nholding: \
+                chuck-and-centre\nsteps:\n  - {diameter: 35.5, length: 40}\n  - {diameter: 45.5, length: 50}\n  - {diameter: 60.5, length: \
+                45}\n  - {diameter: 74.5, length: 20}\nroughing: {longitudinal_depth: 3, transverse_depth: 3}\n";
+    let ways = ways(part);
+    for operation in [Some(ways.operation.clone()), ways.operation_by("horizontals-a")] {
+        for program in programs(&operation.unwrap(), "linuxcnc", Form::Motions, None, &KNOWLEDGE).unwrap() {
+            assert!(program.files.is_ok(), "{:?}", program.files);
+        }
+    }
+}
+
 fn refused(ways: &Ways, code: &str) -> Vec<&'static str> {
     let all = ways.ways.iter().filter(|way| way.refused.as_ref().is_some_and(|why| why.code() == code));
     all.map(|way| way.name).collect()

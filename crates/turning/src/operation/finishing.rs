@@ -6,7 +6,9 @@ use crate::note::{Because, Figure, Finding, IntoFigure, Note, Severity};
 use crate::tables::turning::jobs::JobLimit;
 use crate::turning::allowances::finishing::Allowance;
 use crate::turning::contour::{Contour, Piece, Side, Surface, SurfaceName};
-use crate::turning::cutting::{Bound, Direction, Flexibility, TurningConditions, unsaid_roughness, wall_share};
+use crate::turning::cutting::{
+    Bound, Direction, Flexibility, TurningConditions, least_sensible_depth, unsaid_roughness, wall_share,
+};
 use crate::turning::elements::steepness;
 use crate::turning::jobs::along::Clearance;
 use crate::turning::jobs::limits::Limits;
@@ -354,6 +356,9 @@ impl<'a> Finishing<'a> {
     fn stretches(&self, bench: &Bench<'_, '_>) -> Result<Vec<Stretch<'a>>, KnowledgeError> {
         let best = bench.lathe.and_then(|lathe| lathe.best_roughness);
         let within = |asked: Roughness| best.map_or(asked, |best| asked.max(best));
+        // Without an allowance the pass takes off only what roughing left standing: thinner than any pass of roughing.
+        let whole =
+            if self.allowance > Half::ZERO { self.allowance } else { Half::of(least_sensible_depth(bench.knowledge)?) };
         let mut stretches: Vec<Stretch<'a>> = Vec::new();
         for surface in &self.surfaces {
             // Surfaces finished on another machine ask for no roughness here.
@@ -381,7 +386,7 @@ impl<'a> Finishing<'a> {
                 unsaid,
                 tolerance,
                 direction: if is_face { Direction::Transverse } else { Direction::Longitudinal },
-                depth: own.filter(|own| *own > Half::ZERO).unwrap_or(self.allowance),
+                depth: own.filter(|own| *own > Half::ZERO).unwrap_or(whole),
                 from: z.clone().min().unwrap_or_default(),
                 to: z.max().unwrap_or_default(),
             };
@@ -404,7 +409,7 @@ impl<'a> Finishing<'a> {
                 unsaid: Some(row),
                 tolerance: None,
                 direction: Direction::Longitudinal,
-                depth: self.allowance,
+                depth: whole,
                 from,
                 to,
             });

@@ -289,13 +289,16 @@ impl Grip {
         let loose = (self.required_n.0 - lost) / self.safety + lost > given.0;
         let severity = if loose { Severity::Wrong } else { Severity::Doubtful };
         if let Some(moment) = self.decides_tipping() {
+            // What the speed of the hardest job leaves of the force.
+            let left = (given.0 - lost).max(0.0);
             let note = Note::new("grip-tips")
                 .with("number", set_up)
                 .with("grips", self.grips_mm)
                 .with("length", self.over)
                 .with("moment", crate::units::round_to(moment.0, 0))
                 .with("safety", self.safety)
-                .with("holds", crate::units::round_to(given.0 * self.seat_mm / 1000.0, 0))
+                .with("holds", crate::units::round_to(left * self.seat_mm / 1000.0, 0))
+                .with("left", thousands(Newtons(left)))
                 .with("given", thousands(given));
             return Some(Finding::of_part(severity, note));
         }
