@@ -113,6 +113,7 @@ impl<'k> Auditor<'k> {
         let mut graph = graph::Graph::new(stated, &self.tolerances);
         rules::add(&context, &mut graph)?;
         super::misprints::correct(&context, &mut graph);
+        rules::tools::meant_overhangs(&context, &mut graph)?;
         for formula in rules::tabulated::far_off(&context, &graph)? {
             graph.replace(formula);
         }

@@ -10,8 +10,9 @@ use crate::units::Micrometres;
 
 use super::super::context::Context;
 use super::super::figures::nature;
-use super::super::graph::{Graph, Judge, Rule};
+use super::super::graph::{Formula, Graph, Judge, Rule, Status};
 use super::super::quantity::{Id, Quantity as Q, Scope};
+use super::super::stated::Row;
 use super::{by_its_text, equal_figures, fixed_figure, largest};
 
 const DIMENSION: Rule = Rule { id: "tool-dimension", formula: "" };
@@ -58,7 +59,11 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
                     continue;
                 }
                 let mut dimension = fixed_figure(&DIMENSION, id(quantity), length.to_mm(), because());
-                dimension.judge = set.then(|| ground(context, tool.number, length));
+                if set {
+                    let rows: Vec<usize> = sized_rows(context, tool.number).map(|(row, _)| row).collect();
+                    dimension.inputs = rows.iter().map(|row| Id::new(Scope::Row(*row), Q::Diameter)).collect();
+                    dimension.judge = Some(ground(context, tool.number, length));
+                }
                 graph.add(dimension);
             }
             if let Some(morse) = cutter.row.morse {
@@ -100,16 +105,24 @@ pub(super) fn add<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result
     Ok(())
 }
 
+/// The rows of a tool that state their diameter.
+fn sized_rows<'a>(context: &'a Context<'a>, tool: u32) -> impl Iterator<Item = (usize, &'a Row)> {
+    context.stated.rows_of_tool(tool).filter(|(_, row)| row.figures.contains_key(&Q::Diameter))
+}
+
 /// Another size than that of the catalog is right where the tool is ground down to the size of its row, or as bought makes it.
 fn ground<'a>(context: &'a Context<'a>, tool: u32, catalog: Micrometres) -> Judge<'a> {
-    Box::new(move |value, _| {
+    // A row whose diameter is misprinted has its right one here.
+    Box::new(move |value, diameters| {
         let stated = Micrometres::from_mm_rounded(value);
         if stated == catalog {
             return None;
         }
-        let rows = context.stated.rows_of_tool(tool).map(|(_, row)| row);
-        let made: Vec<_> =
-            rows.filter(|row| row.figures.get(&Q::Diameter).is_some_and(|figure| figure.value == value)).collect();
+        let rows = sized_rows(context, tool).map(|(_, row)| row).zip(diameters);
+        let made: Vec<_> = rows
+            .filter(|(_, diameter)| Micrometres::from_mm_rounded(**diameter) == stated)
+            .map(|(row, _)| row)
+            .collect();
         if made.iter().any(|row| context.bought_size(row, stated) == Some(catalog)) {
             return Some((Severity::Note, Note::new("audit-bought").with("own", catalog).with("size", stated)));
         }
@@ -128,8 +141,20 @@ fn overhang<'a>(
     operation: Operation,
 ) -> Result<(), KnowledgeError> {
     let (least, most, because) = named::overhang(cutter, operation, &context.shop)?;
+    graph.add(overhang_of(context, Id::new(Scope::Tool(at), Q::Overhang), (least, most), most.to_mm(), because));
+    Ok(())
+}
+
+/// The overhang as it should be, mm, and the judgement of any other by the range that the note allows.
+fn overhang_of<'a>(
+    context: &'a Context<'a>,
+    id: Id,
+    (least, most): (Micrometres, Micrometres),
+    right: f64,
+    because: Because,
+) -> Formula<'a> {
     let (least, most) = (least.to_mm(), most.to_mm());
-    let mut formula = fixed_figure(&OVERHANG, Id::new(Scope::Tool(at), Q::Overhang), most, [because]);
+    let mut formula = fixed_figure(&OVERHANG, id, right, [because]);
     formula.judge = Some(Box::new(move |value, _| {
         if (least - 1e-6..=most + 1e-6).contains(&value) {
             return None;
@@ -141,7 +166,33 @@ fn overhang<'a>(
         let rule = context.shop.knowledge.ask(&AuditOverhangFor { excess }).ok()?.winner().ok()??;
         Some((rule.severity, note))
     }));
-    graph.add(formula);
+    formula
+}
+
+/// Of an overhang that cannot be, the author meant the one from which the plan went on, where the note allows that: its length of the
+/// assembly, else its correction, gives it.
+pub(crate) fn meant_overhangs<'a>(context: &'a Context<'a>, graph: &mut Graph<'a>) -> Result<(), KnowledgeError> {
+    for (at, tool) in context.stated.tools.iter().enumerate() {
+        let id = |quantity| Id::new(Scope::Tool(at), quantity);
+        let is_wrong = |severity| severity <= Severity::Wrong;
+        let verdict = graph.verdict(id(Q::Overhang)).map(|verdict| &verdict.status);
+        if !matches!(verdict, Some(Status::Root(severity, _)) if is_wrong(*severity)) {
+            continue;
+        }
+        let operation = context.stated.rows_of_tool(tool.number).next().map(|(_, row)| row.operation.value);
+        let Some((cutter, operation)) = context.cutter(at).zip(operation) else { continue };
+        let (least, most, because) = named::overhang(cutter, operation, &context.shop)?;
+        let written = |quantity| context.stated.figure(id(quantity)).map(|figure| figure.value);
+        let holder = if context.has_machine_taper(at) { Some(0.0) } else { graph.right(id(Q::HolderUsed)) };
+        let corrected = written(Q::Correction).zip(graph.right(id(Q::LongestAssembly)));
+        let corrected = corrected.map(|(own, longest)| longest + if context.subtracts(at) { -own } else { own });
+        let lengths = [written(Q::Assembly), corrected].into_iter().flatten().zip(holder.into_iter().cycle());
+        let mut meant = lengths.map(|(assembly, holder)| assembly - holder);
+        let allowed = least.to_mm() - 1e-6..=most.to_mm() + 1e-6;
+        if let Some(meant) = meant.find(|own| allowed.contains(own)) {
+            graph.replace(overhang_of(context, id(Q::Overhang), (least, most), meant, because));
+        }
+    }
     Ok(())
 }
 
